@@ -18,7 +18,6 @@ import re
 import warnings
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from numbers import Real
 from typing import Any, Literal, TypeAlias
 
 import numpy as np
@@ -39,7 +38,7 @@ from app.model.infinity import homogeneous_rows
 from app.model.lenses import FreeMatrix, Frustum, Lens, Oblique, Orthographic, Perspective
 from app.model.pipeline import Stage, Trace, checked_points
 from app.model.projection import Array, Camera, Chain, Intrinsics, Projection, Space
-from app.model.refusal import REFUSALS, Refusal
+from app.model.refusal import REFUSALS, Refusal, is_number
 from app.picking.picking import Probe
 from app.precision.levels import Precision, precision_for_reading, predict, trace, trace_homogeneous
 from app.scenes.mesh import Colours
@@ -178,7 +177,7 @@ def project(
     of lecture 004, the perspective matrix equation (13) of lecture 000. The eye is subtracted
     first, so that a scene far from the origin loses no digits.
     """
-    projection, given = _projection(of), _checked(points)
+    projection, given = _document(of).projection, _checked(points)
     flat = given.reshape(-1, given.shape[-1])
     has_w = flat.shape[1] == 4
     if precision is None:
@@ -197,7 +196,7 @@ def matrices(of: Source) -> dict[str, Array]:
     Column vectors: ``p_out = M @ p_in``. The divide by w comes between clip space and NDC. Each
     number is computed in rationals and rounded once. `Projection.stages` has the factors, too.
     """
-    return {stage.name: stage.matrix for stage in _projection(of).all_stages}
+    return {stage.name: stage.matrix for stage in _document(of).projection.all_stages}
 
 
 def describe(of: Source) -> Description:
@@ -336,10 +335,6 @@ def _rgb(colours: Any, count: int) -> Colours:
     raise Refusal("colours", shown, REFUSALS["some-colours"], count)
 
 
-def _projection(of: Source) -> Projection:
-    return of if isinstance(of, Projection) else _document(of).projection
-
-
 def _document(of: Source) -> Document:
     if isinstance(of, Projection):
         return Document(projection=of)
@@ -373,7 +368,7 @@ def _points(size: str | float | None, name: str = "text_size") -> float | None:
 
 
 def _number(value: float) -> float:
-    if not isinstance(value, Real) or isinstance(value, bool):
+    if not is_number(value):
         raise TypeError(value)
     return float(value)
 

@@ -71,7 +71,7 @@ def choose(language: str) -> None:
 
 def follow_lesson(language: str) -> None:
     """Let the language that an open lesson states rule its card; empty for that of the program."""
-    _Chosen.lesson = language if language in LANGUAGES else ""
+    _Chosen.lesson = language
 
 
 def of_lessons() -> str:

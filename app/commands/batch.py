@@ -20,7 +20,7 @@ from app.commands import sweep
 from app.commands.arguments import course_of, full_path
 from app.commands.options import SETTABLE, Parser
 from app.commands.terminal import BAD_INPUT, CANNOT_DRAW, CliError, print_error, write_out
-from app.document.document import is_mesh
+from app.document.document import YES_OR_NO, is_mesh
 from app.document.files import (
     LARGEST_PICTURE,
     blamed_on,
@@ -39,7 +39,6 @@ _NOT_OF_A_LINE = (
     "batch", "resume", "format", "sweep", "orbit", "stages", "transition", "frames", "fps", "loop",
     "help",
 )  # fmt: skip
-_YES = {"true": True, "yes": True, "false": False, "no": False}
 
 Draw = Callable[[argparse.Namespace, str, "str | None"], str]
 
@@ -225,9 +224,9 @@ def _asked(
         elif options[column].nargs != 0:
             words.append(f"--{column}={cell}")
             given[options[column].dest] = True
-        elif cell in _YES:
+        elif cell in YES_OR_NO:
             given[options[column].dest] = False
-            words += [f"--{column}"] * _YES[cell]
+            words += [f"--{column}"] * YES_OR_NO[cell]
         else:
             raise CliError("{0} = {1!r}: must be true or false.", column, cell)
     asked, _ = parser.read([*words, "--", "out"])

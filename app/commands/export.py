@@ -32,6 +32,7 @@ from app.scenes.scene import Scene
 
 _Frame = TypeVar("_Frame")
 
+_OPTIONS = {"text size": "--text-size", "pane": "--panes", "scale": "--scale"}  # as a refusal names
 _OF_BATCH, _OF_FILMS = ("resume", "format"), ("frames", "fps", "loop")
 
 
@@ -201,11 +202,12 @@ def _figure(
             options.transparent, width=options.width, fit=options.fit,
         )  # fmt: skip
     except Refusal as error:
-        side = "--size " if options.size else "" if options.width is None else "--"
-        name, equals, rest = str(error).partition(" = ")
-        names = {"pane": "--panes", "scale": "--scale", "text size": "--text-size"}
-        named = names.get(name, side * (name in ("width", "height")) + name)
-        raise CliError(f"{named}{equals}{rest}") from error
+        asked = "size" if options.size else "" if options.width is None else "width"
+        of_size = asked and str(error).startswith(("width", "height"))
+        option = _OPTIONS.get(error.bound.partition(" = ")[0])
+        text = f"{option} = {str(error).partition(' = ')[2]}" if option else str(error)
+        named = f"--{asked} {text.removeprefix('width ') if asked == 'width' else text}"
+        raise CliError(named if of_size else text) from error
 
 
 def _with_progress(frames: Sequence[_Frame]) -> Iterator[_Frame]:

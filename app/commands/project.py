@@ -276,7 +276,7 @@ def _project_table(answer: _ProjectedPoints) -> Iterator[str]:
         yield "".join(lines)
     if answer.predictions is not None:
         errors = [
-            f"{name} {error.px:.1e} px" if math.isfinite(error.px)
+            f"{name} {levels.rounded_up(error.px, 2):.1e} px" if math.isfinite(error.px)
             else said("{0} has no bound", name)
             for name, error in answer.predictions.items()
         ]  # fmt: skip

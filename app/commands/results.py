@@ -34,9 +34,10 @@ def results(options: argparse.Namespace, files: Sequence[str]) -> int:
     if options.csv:
         check_out("--csv", options.csv, files)
     read_files: list[tuple[str, StudentResults]] = []
-    for file in files:
+    names = [Path(file).name for file in files]
+    for file, name in zip(files, names, strict=True):
         try:
-            read_files.append((Path(file).name, read(file)))
+            read_files.append((file if names.count(name) > 1 else name, read(file)))
         except Refusal as error:
             print_error(str(error), BAD_INPUT)
     marker = Marker()

@@ -8,13 +8,13 @@ from app.commands.arguments import check_drawing, check_out, importing, set_lett
 from app.commands.composed import SLIDE_PX, Composed, measure, place_in, taken
 from app.commands.options import Parser, one_of
 from app.commands.terminal import CliError, write_out
-from app.document.files import write_bytes_atomically
+from app.document.files import blamed_on, write_bytes_atomically
 from app.languages import said
 from app.lecture.letters import Letters
 from app.lessons.checking import CheckReport
 from app.lessons.course import Course, name_of
 from app.lessons.lesson import Lesson, read
-from app.model.refusal import Refusal, counted
+from app.model.refusal import REFUSALS, Refusal, counted
 from app.strangers import printable
 
 READERS = ("teacher", "students")  # of a handout; the first ones unless others are asked for
@@ -78,4 +78,6 @@ def _print(lesson: Lesson, out: str, answers: bool) -> None:
         from widgets.program.handout import handout
         from widgets.program.handout_page import handout_page
     write = handout_page if out.lower().endswith(".html") else handout
-    write_bytes_atomically(out, write(Course(lesson), answers=answers))
+    with blamed_on(lesson.path, REFUSALS["files-unreadable"]):
+        content = write(Course(lesson), answers=answers)
+    write_bytes_atomically(out, content)

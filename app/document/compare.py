@@ -13,7 +13,7 @@ from typing import Any
 from app.model.chain import FiveTiles
 from app.model.parameter import Parameter, Settings
 from app.model.projection import Camera, Projection
-from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal, is_number
 from app.scenes.phenomena.words import FEW, digits_apart
 
 MOST_PICTURES = 4  # the lectures show four side by side: the cases of an edge and the eye plane
@@ -65,11 +65,8 @@ def check_pictures(pictures: Sequence[ComparedPicture], dividers: Sequence[float
     if count and not (2 <= count <= MOST_PICTURES and live == 1):
         raise Refusal("compare", [picture.name for picture in pictures], REFUSALS["some-pictures"],
                       MOST_PICTURES)  # fmt: skip
-    numbers = all(
-        isinstance(each, (int, float)) and not isinstance(each, bool) for each in dividers
-    )
     if dividers and not (
-        numbers
+        all(map(is_number, dividers))
         and len(dividers) == count - 1
         and list(dividers) == sorted(dividers)
         and dividers[0] >= 0.0

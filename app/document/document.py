@@ -208,9 +208,8 @@ TEXT = FieldKind(str)
 NUMBER = FieldKind(number, (REFUSALS["finite-number"],))
 NUMBER_OR_WORD = FieldKind(_number_or_word)
 PIXELS = FieldKind(number, (REFUSALS["whole-pixels"], LARGEST_IMAGE_PX))
-SWITCH = FieldKind(
-    lambda text: {"true": True, "yes": True, "false": False, "no": False}.get(text, text)
-)
+YES_OR_NO = {"true": True, "yes": True, "false": False, "no": False}
+SWITCH = FieldKind(lambda text: YES_OR_NO.get(text, text))
 VECTOR = FieldKind(
     lambda text: next(iter(_rows(text, 3, 1, 1) or ()), None), (REFUSALS["three-numbers"],)
 )

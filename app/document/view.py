@@ -17,7 +17,7 @@ from app.model.chain import MOST_TILES
 from app.model.infinity import homogeneous
 from app.model.limits import Row, check_name, finite_vector, keep_checked, real, within
 from app.model.projection import LARGEST_IMAGE_PX, Camera
-from app.model.refusal import REFUSALS, Refusal
+from app.model.refusal import REFUSALS, Refusal, is_number
 from app.picking.picking import Probe
 
 LAYOUTS = ("pictures", "columns")  # one large pane and two small ones, or three side by side
@@ -74,7 +74,7 @@ class View:
         check_name("panel", self.panel or "", PANELS, or_none=True)
         lettering(self.letters)  # or a `Refusal`
         check_name("fixed", self.fixed or "", FIXED, or_none=True)
-        if not _is_number(self.stage) or not -MOST_TILES <= self.stage <= IMAGE:
+        if not is_number(self.stage) or not -MOST_TILES <= self.stage <= IMAGE:
             raise Refusal(
                 "stage", self.stage, REFUSALS["a-stage"], ", ".join(STAGES), -MOST_TILES, IMAGE
             )
@@ -97,7 +97,7 @@ class View:
                     within(where, real(where, part), 0.0, LARGEST_IMAGE_PX)
             else:
                 _finite_row(where, probe.row or ())
-        if not all(map(_is_number, self.pinned)) or not self.pinned <= set(numbers):
+        if not all(map(is_number, self.pinned)) or not self.pinned <= set(numbers):
             raise Refusal("pinned", sorted(self.pinned, key=str), REFUSALS["probe-numbers"])
         check_pictures(self.compare, self.dividers)
         keep_checked(self, stage=float(self.stage), pinned=frozenset(map(int, self.pinned)))
@@ -126,10 +126,6 @@ class View:
 
 
 FIELDS = tuple(each.name for each in fields(View))
-
-
-def _is_number(value: object) -> bool:
-    return isinstance(value, (int, float)) and not isinstance(value, bool)
 
 
 def _check_names(names: tuple[str, ...] | None) -> None:
@@ -202,7 +198,7 @@ def _probes(value: Any) -> tuple[Probe, ...]:
 def _probe(number: int, part: Any) -> Probe:
     where = f"probes[{number - 1}]"
     count = len(part) if isinstance(part, list) else 0
-    if count not in (2, 3, 4) or not all(map(_is_number, part)):
+    if count not in (2, 3, 4) or not all(map(is_number, part)):
         raise Refusal(where, part, REFUSALS["a-probe"])
     if count == 2:
         return Probe(number, pixel=(real(where, part[0]), real(where, part[1])))

@@ -357,7 +357,7 @@ class Layers:
         return any(changes)
 
     def settle(self) -> None:
-        """Follow the pane's own camera; then place the labels."""
+        """Follow the pane's own camera, its size, and the depths that it sees."""
         if self._asked is not None:
             self._asked.append(None)
             return

@@ -15,7 +15,8 @@ from app.drawings.label import FILLED, FILLED_AT, FILLED_EM, HALO_EM, HALO_OPACI
 from app.drawings.occlusion import Points
 from app.drawings.style import hexadecimal
 from app.drawings.vectors import Area, Disc, LineShape, PixelShape, Shape, TextShape
-from app.lecture.typesetting import FUNCTIONS, GREEK, is_set_in_words, outline
+from app.lecture.typesetting import FUNCTIONS, is_set_in_words, outline
+from app.model.formula_text import GREEK
 
 WORDS_FONT = "DejaVu Sans, Verdana, sans-serif"
 OF_ALL = 'role="img" fill="none" stroke-linecap="round" stroke-linejoin="round"'

@@ -17,7 +17,8 @@ from app.drawings.occlusion import Colour, Points
 from app.drawings.style import hexadecimal, rgb
 from app.drawings.svg import SEAM_PX, TEX, chained, kind_of, turned
 from app.drawings.vectors import Area, Disc, LineShape, PixelShape, Shape, TextShape
-from app.lecture.typesetting import FUNCTIONS, GREEK
+from app.lecture.typesetting import FUNCTIONS
+from app.model.formula_text import GREEK
 from app.strangers import printable
 
 LARGEST = 1_500_000  # most bytes of a file: pdfTeX's memory, with little else, ends at 2.2 MB

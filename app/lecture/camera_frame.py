@@ -48,7 +48,7 @@ def up_and_view(camera: Camera) -> UpAndView:
 
 def view_matrix(camera: Camera) -> tuple[tuple[float, ...], ...]:
     """Return `view_from_world` as `Projection.stages` has it, without the other stages."""
-    moved = camera.exact_view((0.0, 0.0, 0.0))
+    moved = camera.exact_origin
     rows = [(*map(float, axis), float(part))
             for axis, part in zip(camera.exact_frame, moved, strict=True)]  # fmt: skip
     return (*rows, (0.0, 0.0, 0.0, 1.0))

@@ -4,11 +4,12 @@ import math
 import operator
 from collections.abc import Sequence
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from app.arithmetic.rationals import Rationals, product
+from app.model.clipping import boundaries
 from app.model.limits import DEPTH_RANGES, PLANES, Array, DepthRange
 from app.model.projection import Projection
 
@@ -73,15 +74,8 @@ def world_planes(projection: Projection) -> dict[str, list[float] | None]:
 
     The normal a, b, c has length 1 and points inwards. A plane at infinity is None.
     """
-    x, y, z, w = projection.direct_stages[1].exact
-    z_near, z_far = map(Fraction, projection.depth_range)
-    sign = 1 if z_far > z_near else -1
-
-    def combined(a: Any, row: Sequence[Any], b: Any) -> list[Any]:
-        return [a * part + b * one for part, one in zip(row, w, strict=True)]
-
-    sides = [combined(s, row, 1) for row in (x, y) for s in (1, -1)]
-    rows = [combined(sign, z, -sign * z_near), combined(-sign, z, sign * z_far), *sides]
+    coefficients = np.array(projection.direct_stages[1].exact).T
+    rows = boundaries(coefficients, projection.depth).T.tolist()
     planes: dict[str, list[float] | None] = {}
     for name, row in zip(PLANES, rows, strict=True):
         length = math.hypot(*map(float, row[:3]))

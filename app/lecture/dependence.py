@@ -67,7 +67,7 @@ def state_of(projection: Projection) -> ProjectionState:
         parts = getattr(camera, point)
         values |= {f"{point}_{x}": part for x, part in zip("xyz", parts, strict=True)}
     values["eye"] = any(camera.eye)
-    frame, shift = camera.exact_frame, camera.exact_view((0.0, 0.0, 0.0))
+    frame, shift = camera.exact_frame, camera.exact_origin
     for axis, row, part in zip("uvn", frame, shift, strict=True):
         values |= {f"{axis}_{x}": component for x, component in zip("xyz", row, strict=True)}
         values[f"dot(axis_{axis})"] = part

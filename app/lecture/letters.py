@@ -52,9 +52,9 @@ _KNOWN: dict[str, Sequence[str]] = {
     "matrices": _PAGE["matrices"].items,
 }
 """The names that each section of a file may have; before the first section, the lecture."""
-GREEK = "\u03b1β\u03b3δεθλμπρ\u03c3φω"  # noqa: RUF001 -- those of panes and figures
 _LONGEST = 12
-_A_LETTER = re.compile(r"(?:[A-Za-z]+|[" + GREEK + r"])[0-9]*(?:_[A-Za-z0-9]+)?")
+_GREEK = "".join(formula_text.GREEK)
+_A_LETTER = re.compile(rf"(?:[A-Za-z]+|[{_GREEK}])[0-9]*(?:_[A-Za-z0-9]+)?")
 _LINE = re.compile(
     r"""(?:\[\s*(?P<section>\w+)\s*\]|(["']?)(?P<name>[\w/]+)\2\s*=\s*(["'])(?P<letter>[^"']*)\4)?"""
     r"\s*(?:#.*)?"
@@ -110,7 +110,7 @@ def _sections(text: str) -> dict[str, dict[str, str]]:
         if not section and letter not in LETTERS:
             raise Refusal(f"{place}: {name}", letter, REFUSALS["one-of"], ", ".join(LETTERS))
         if section and (len(letter) > _LONGEST or not _A_LETTER.fullmatch(letter)):
-            raise Refusal(f"{place}: {name}", letter, REFUSALS["a-letter"], GREEK, _LONGEST)
+            raise Refusal(f"{place}: {name}", letter, REFUSALS["a-letter"], _GREEK, _LONGEST)
         given[section][name] = letter
     base, symbols, matrices = lettering(given[""].get("base", "own"))
     of_lecture = {

@@ -21,6 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.model.formula import ARROW
+from app.model.formula_text import GREEK
 from app.model.limits import Array
 
 FONT = "stix"  # a font of mathtext that goes with any text
@@ -39,10 +40,6 @@ _LEVEL = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
 _LEANS_EM = 0.1  # a letter leans over a space if its ink is so far beside its width
 _BEFORE_FUNCTION = re.compile(r"(?<=[\w)}])(?<!\\cdot) *\\(?=(?:tan|cot|sin|cos|log)(?![a-z]))")
 FUNCTIONS = frozenset(("tan", "sin", "cos", "log"))
-GREEK = dict(zip("αβγδεθλμπρσφω", (
-    "alpha", "beta", "gamma", "delta", "epsilon", "theta", "lambda", "mu", "pi", "rho", "sigma",
-    "phi", "omega",
-), strict=True))  # fmt: skip
 _LEANING = re.compile(r"(?<![\\A-Za-z])f\s*(?=\\vec|\\,\s*\\)")  # over a thin space, or an arrow
 _TOKEN = re.compile(
     r"\$(?P<tex>[^$]+)\$"

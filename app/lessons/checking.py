@@ -26,11 +26,12 @@ MOST_WORDS = 150  # most words of a step's text or of a note: the reader also lo
 
 
 _MARK = re.compile(r"(`+|\\[$\[\]<])")
-_LINK = re.compile(
-    r"!?\[[^\[\]\n]*\]\([^()\n]*(?:\([^()\n]*)?\)"
-    r"|<(?:https?:|mailto:)[^<>\n]*>|<(?:img|a)\s[^<>\n]*>"
-)
-_HTML = re.compile(r"</?[a-zA-Z][\w-]*(?:\s[^<>\n]*)?/?>")
+_AS_TYPED = (  # what a lesson shows as it is typed
+    (REFUSALS["no-links"], re.compile(r"!?\[[^\[\]\n]*\]\([^()\n]*(?:\([^()\n]*)?\)"
+                                      r"|<(?:https?:|mailto:)[^<>\n]*>|<(?:img|a)\s[^<>\n]*>")),
+    (REFUSALS["no-html"], re.compile(r"</?[a-zA-Z][\w-]*(?:\s[^<>\n]*)?/?>|<!--")),
+    (REFUSALS["not-filled"], re.compile(r"\{[=~][^{}\n]+\}")),
+)  # fmt: skip
 
 
 @dataclass
@@ -132,11 +133,10 @@ def _check_signs(line: int, text: str, trial: Trial) -> None:
     for number, words in enumerate(MATH.sub("", _bare(text)).split("\n"), line):
         if "$" in words:
             trial.add_fault(refused(number, REFUSALS["unclosed"], value=words.strip()[:60]))
-        link, html = _LINK.search(words), _HTML.search(words)
-        if link is not None:
-            trial.add_fault(refused(number, REFUSALS["no-links"], value=link[0][:60]))
-        elif html is not None:
-            trial.add_fault(refused(number, REFUSALS["no-html"], value=html[0][:60]))
+        for bound, pattern in _AS_TYPED:
+            if match := pattern.search(words):
+                trial.add_fault(refused(number, bound, value=match[0][:60]))
+                break
 
 
 def _bare(text: str) -> str:

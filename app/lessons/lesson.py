@@ -213,6 +213,8 @@ def _check_top(key: str, value: str, line: int) -> None:
         number_in(value, line, 0, 1000)
     elif key == "letters" and value not in LETTERS and not _BESIDE.fullmatch(value):
         raise refused(line, REFUSALS["letters-of"], ", ".join(LETTERS), value=value)
+    elif key == "language" and value not in languages.LANGUAGES:
+        raise refused(line, REFUSALS["one-of"], ", ".join(languages.LANGUAGES), value=value)
     elif key == "topic" and not all(map(_TOPIC.fullmatch, _parted(value))):
         raise refused(line, REFUSALS["topics"], value=value)
 

@@ -155,7 +155,7 @@ class Body(NamedTuple):
                 items[-1] = _continued(items[-1], key, text.strip(), number, keys)
             elif key and not indented and key[1] in keys:
                 items.append(LineItem(key[1], (key[2] or "").strip(), key[3].strip(), number))
-            elif not items and not mistyped(text, keys):
+            elif not items and not mistyped(text.strip(), keys):
                 question.append(text)
             elif choices and text.startswith(("-", "*")):
                 raise refused(number, REFUSALS["no-choice"], value=text.strip()[:60])

@@ -12,6 +12,7 @@ import re
 import unicodedata
 from collections.abc import Sequence
 from fractions import Fraction
+from pathlib import Path
 from typing import NamedTuple
 
 from app.lessons.quantities import FUNCTIONS, RATIONAL
@@ -44,7 +45,8 @@ _NO_POWER = re.compile("([*x×] *10)?(?<![⁺⁻¹²³⁴-⁹])⁰(?![⁰¹²³�
 _FRACTION = re.compile("(?<![0-9])([0-9]*) ?([¼-¾⅐-⅞])")
 _HEAD = re.compile(  # text before a number: a name, and a sign that the number is rounded
     r"(?:[^\W\d][\w₀-₉]*['\u2032]* *:?(?=[=≈~]))?"
-    r"(?:[=≈~≅≃\u223c ]|(?:ca|cca|circa|approx(?:imately)?|about|roughly|around)\b\.?)*"
+    r"(?:[=≈~≅≃\u223c ]|(?:ca|cca|circa|approx(?:imately)?|about|roughly|around|"
+    r"oko|око|otprilike|отприлике|približno|приближно|umbes)\b\.?)*"
 )
 _GROUPED = re.compile(  # a number whose thousands are certain to be separated
     r"(?<![0-9.,])(?:[0-9]{1,3}([ '_])[0-9]{3}(?:\1[0-9]{3})*|[1-9][0-9]{0,2}"
@@ -103,22 +105,13 @@ _TWO_READINGS = (
 )  # fmt: skip
 """Expressions that mean one thing by the rules, and often another one to who writes them."""
 
-_NUMBER, _ANGLE, _LENGTH, _UNIT, _PIXEL = "number", "angle", "length", "units", "px"
-_UNITS: dict[str, tuple[str, Fraction]] = {
-    **dict.fromkeys(("×", "x"), (_NUMBER, Fraction(1))), "%": (_NUMBER, Fraction(1, 100)),
-    **dict.fromkeys(("°", "deg", "degree", "degrees"), (_ANGLE, Fraction(1))),
-    **dict.fromkeys(("rad", "radian", "radians"), (_ANGLE, Fraction(math.degrees(1.0)))),
-    **dict.fromkeys(("unit", "units"), (_UNIT, Fraction(1))),
-    **dict.fromkeys(("px", "pixel", "pixels"), (_PIXEL, Fraction(1))),
-    "km": (_LENGTH, Fraction(1000)), "m": (_LENGTH, Fraction(1)),
-    "cm": (_LENGTH, Fraction(1, 100)), "mm": (_LENGTH, Fraction(1, 1000)),
-}  # fmt: skip
-"""What each unit measures, and how much of it one is."""
-UNITS = tuple(_UNITS)  # the units of questions; those of answers are converted
-_UNITS |= {"times": _UNITS["×"], **dict.fromkeys(("percent", "per cent"), _UNITS["%"])}
-for _prefix, _name in (("", "m"), ("kilo", "km"), ("centi", "cm"), ("milli", "mm")):
-    _words = (f"{_prefix}{word}" for word in ("metre", "metres", "meter", "meters"))
-    _UNITS |= dict.fromkeys(_words, _UNITS[_name])
+_NUMBER, _ANGLE, _UNIT = "number", "angle", "units"
+_UNITS, UNITS = dict[str, tuple[str, Fraction]](), list[str]()
+"""What each unit measures, and how much of it one is; and the units that a question may have."""
+_PAGE = Path(__file__).with_name("units.md").read_text("utf-8")
+for _kind, _size, _own, _typed in re.findall("(?m)^- (.+) (.+?): (.+); (.+)", _PAGE):
+    UNITS += _own.split(", ")
+    _UNITS |= dict.fromkeys(f"{_own}, {_typed}".split(", "), (_kind, Fraction(_size)))
 
 
 class TypedNumber(NamedTuple):

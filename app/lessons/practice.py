@@ -16,13 +16,14 @@ from pathlib import Path
 from typing import NamedTuple
 
 from app import languages
+from app.document.files import blamed_on
 from app.lessons.blocks.block import Asked, Here, TextBlock, Variant
 from app.lessons.blocks.exercise import LARGEST_SEED
 from app.lessons.contents import CONTENT, contained, file_of
 from app.lessons.course import AtStep, Course, ShownStep
 from app.lessons.lesson import Lesson, Step, read
 from app.lessons.record import RIGHT, WRONG, Attempt, Standing, due, minutes_each, standings
-from app.model.refusal import Refusal
+from app.model.refusal import REFUSALS, Refusal
 
 MOST = 12  # most exercises of a test, and of what is reviewed at once
 _DRAWS = 20  # how many seeds are tried until the numbers of an exercise suit
@@ -49,7 +50,8 @@ class PlacedExercise(NamedTuple):
 
     def with_numbers(self, seed: int) -> Variant:
         """Return the exercise for a seed; a `Refusal` if no numbers suit."""
-        return self.exercise.variant(self.here, seed)
+        with blamed_on(self.course.lesson.path, REFUSALS["files-unreadable"]):
+            return self.exercise.variant(self.here, seed)
 
 
 class SheetItem(NamedTuple):

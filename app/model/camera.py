@@ -131,15 +131,13 @@ class Camera:
             for axis in self.exact_frame
         ]
 
-    def exact_view(
-        self, point_world: Sequence[float | Fraction]
-    ) -> tuple[Fraction, Fraction, Fraction]:
-        """View coordinates of a point to `double_double.BITS` bits, with exact zeros."""
-        pairs = zip(point_world, self.eye, strict=True)
-        return self.exact_along([Fraction(part) - Fraction(eye) for part, eye in pairs])
+    @property
+    def exact_origin(self) -> tuple[Fraction, Fraction, Fraction]:
+        """View coordinates of the world's origin to `double_double.BITS` bits, with exact zeros."""
+        return self.exact_along([-Fraction(part) for part in self.eye])
 
     def exact_along(self, offset: Sequence[Any]) -> tuple[Any, Any, Any]:
-        """The components of an offset or a direction along u, v and n, like `exact_view`.
+        """The components of an offset or a direction along u, v and n, like `exact_origin`.
 
         They are in the exact numbers of the offset.
         """

@@ -129,7 +129,7 @@ def _refuse_opposite(field: str, starts: Array, ends: Array) -> None:
 # --------------------------------------------------------------------------- the six planes
 
 
-def _boundaries(points_clip: Array, depth: str) -> Array:
+def boundaries(points_clip: Array, depth: str) -> Array:
     """Return the six sums of the module's table, (..., 6): negative beyond the plane, 0 on it.
 
     Those of rationals are rationals.
@@ -186,7 +186,7 @@ def clip_segments(
     _refuse_opposite("ends_clip", starts, ends)
     shape = starts.shape[:-1]
     starts, ends = starts.reshape(-1, 4), ends.reshape(-1, 4)
-    b_starts, b_ends = _boundaries(starts, depth), _boundaries(ends, depth)
+    b_starts, b_ends = boundaries(starts, depth), boundaries(ends, depth)
     b_starts[:, ~chosen] = b_ends[:, ~chosen] = 1.0
 
     outside = (b_starts < 0.0) & (b_ends < 0.0)
@@ -235,7 +235,7 @@ def _meets_exactly(start: Array, end: Array, depth: str, chosen: NDArray[np.bool
     """Whether one segment has a point inside, in rational numbers."""
     low, high = Fraction(0), Fraction(1)
     ends: Any = np.array([list(map(Fraction, point.tolist())) for point in (start, end)])
-    for b_start, b_end, asked in zip(*_boundaries(ends, depth), chosen, strict=True):
+    for b_start, b_end, asked in zip(*boundaries(ends, depth), chosen, strict=True):
         if not asked or (b_start >= 0 and b_end >= 0):
             continue
         t = b_start / (b_start - b_end)  # ends that are both negative are excluded before
@@ -263,7 +263,7 @@ def clip_polygon(
     edges: list[str | None] = [None] * len(points)
     for index in np.flatnonzero(chosen):
         plane = PLANES[index]
-        boundary = _boundaries(points, depth)[:, index]
+        boundary = boundaries(points, depth)[:, index]
         if (boundary >= 0.0).all():
             continue
         kept: list[Array] = []

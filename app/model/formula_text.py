@@ -67,11 +67,13 @@ _IN_LATEX = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "abs": "opera
 _LATEX_WORD = re.compile(r"\\(mathrm\{|[a-z]+(\{abs\})?\\left\()")
 _LATEX_NUMBER = re.compile(r"(\\left)?\(-?[0-9]|\\frac")
 """After a number it needs a sign of multiplication: 2(-3) and 2 1/3 are something else."""
-_GREEK = dict(zip("\u03b1β\u03b3δεθλμπρ\u03c3φω", (  # noqa: RUF001
-    r"\alpha", r"\beta", r"\gamma", r"\delta", r"\epsilon", r"\theta", r"\lambda", r"\mu", r"\pi",
-    r"\rho", r"\sigma", r"\varphi", r"\omega",
+GREEK = dict(zip("\u03b1β\u03b3δεθλμπρ\u03c3φω", (  # noqa: RUF001
+    "alpha", "beta", "gamma", "delta", "epsilon", "theta", "lambda", "mu", "pi", "rho", "sigma",
+    "phi", "omega",
 ), strict=True))  # fmt: skip
-_GREEK |= {name: f"\\{name}" for name in ("alpha", "beta", "theta", "psi")}  # in lessons' formulas
+"""The letters of panes and figures, and what TeX calls them."""
+_IN_TEX = {letter: f"\\{name}" for letter, name in GREEK.items()} | {"φ": r"\varphi"}
+_IN_TEX |= {name: f"\\{name}" for name in ("alpha", "beta", "theta", "psi")}  # in lessons' formulas
 
 
 class _Latex(_Stacked):
@@ -83,7 +85,7 @@ class _Latex(_Stacked):
         if name.endswith(ARROW):
             return rf"\vec{{{name.removesuffix(ARROW)}}}"
         head, _, below = name.partition("_")
-        head = _GREEK.get(head, head if len(head) == 1 else rf"\mathrm{{{head}}}")
+        head = _IN_TEX.get(head, head if len(head) == 1 else rf"\mathrm{{{head}}}")
         if not below:
             return head
         if len(below) > 1 and not below.isdigit():

@@ -13,7 +13,8 @@ from fractions import Fraction
 import numpy as np
 
 from app.arithmetic.rationals import dot, nearest, rationals
-from app.model.limits import LARGEST, PLANES, Array, Row, finite
+from app.model.clipping import boundaries
+from app.model.limits import LARGEST, Array, Row, finite
 from app.model.pipeline import named_point
 from app.model.projection import Projection, Trace
 from app.model.refusal import REFUSALS, Refusal
@@ -72,9 +73,6 @@ def trace_at_infinity(projection: Projection, direction: Sequence[float | Fracti
         view = [dot(row, world) for row in rationals(own_view)]
     clip = [dot(row, view) for row in projection.exact_clip_from_view]
     x, y, z, w = clip
-    z_near, z_far = map(Fraction, projection.depth_range)
-    sign = 1 if z_far > z_near else -1
-    inside = (z - w * z_near) * sign, (w * z_far - z) * sign, x + w, w - x, y + w, w - y
     pictured = [math.nan] * 6
     if w > 0:
         viewport = projection.stages[-1].exact
@@ -87,11 +85,9 @@ def trace_at_infinity(projection: Projection, direction: Sequence[float | Fracti
     world_4, view_4, clip_4 = (
         np.array([nearest(part) for part in each]) + 0.0 for each in (world, view, clip)
     )
-    outside = np.array([part < 0 for part in inside])
-    assert len(outside) == len(PLANES)
     return Trace(
         *(world_4, view_4, clip_4),
         *(numbers[:3], numbers[3:5], numbers[5]),
         np.array(in_front),
-        outside,
+        boundaries(np.array(clip), projection.depth) < 0,
     )

@@ -1,14 +1,13 @@
 """Types, limits and checks of the model's numbers, and the sentences that refuse them."""
 
 import math
-import numbers
 from collections.abc import Collection
 from typing import Any, Literal, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal, is_number
 
 Vector: TypeAlias = tuple[float, float, float]
 Row: TypeAlias = tuple[float, float, float, float]
@@ -77,7 +76,7 @@ def keep_checked(frozen: object, **values: object) -> None:
 
 def real(field: str, value: Any) -> float:
     """A real number as a float, perhaps infinite, or a `Refusal`."""
-    if isinstance(value, bool) or not isinstance(value, numbers.Real):
+    if not is_number(value):
         raise Refusal(field, value, REFUSALS["finite-number"])
     try:
         return float(value)
@@ -146,7 +145,7 @@ def finite_vector(field: str, value: Any) -> Vector:
     except TypeError:
         raise Refusal(field, value, REFUSALS["three-numbers"]) from None
     for part in parts:
-        if isinstance(part, bool) or not isinstance(part, numbers.Real):
+        if not is_number(part):
             raise Refusal(field, value, REFUSALS["three-numbers"])
         if not math.isfinite(real(field, part)):
             raise Refusal(field, parts, REFUSALS["three-numbers"])

@@ -13,7 +13,6 @@ lupdate reads no Markdown: `tests/texts.py` makes a source for it.
 """
 
 import math
-import numbers
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
@@ -21,7 +20,7 @@ from pathlib import Path
 from typing import Any, Literal, NamedTuple, TypeAlias
 
 from app.model.limits import Vector, check_name, finite, finite_vector, within
-from app.model.refusal import REFUSALS, Refusal
+from app.model.refusal import REFUSALS, Refusal, is_number
 
 Value: TypeAlias = float | bool | str | Vector
 Part: TypeAlias = Literal["lens", "camera", "image_size", "depth", "placement"]
@@ -266,7 +265,7 @@ ImpliedSettings: TypeAlias = Mapping[str, Value | None]
 
 def number(settings: ImpliedSettings, name: str) -> float:
     value = settings[name]
-    if isinstance(value, bool) or not isinstance(value, numbers.Real):
+    if not is_number(value):
         raise TypeError(name)
     return float(value)
 

@@ -1,6 +1,5 @@
 """A camera, a lens, an image and an object, and all displayed matrices between them."""
 
-import numbers
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -28,7 +27,7 @@ from app.model.limits import (
     keep_checked,
     read_only,
 )
-from app.model.refusal import REFUSALS, Bound, Refusal
+from app.model.refusal import REFUSALS, Bound, Refusal, is_number
 from app.model.tables import VIEWPORT, PipelineStep, evaluated, inverse, rounded
 
 HalfSpaces: TypeAlias = list[tuple[tuple[float, float, float, float], float]]
@@ -129,8 +128,7 @@ class Pipeline:
         except TypeError:
             raise Refusal("image", self.image_size, REFUSALS["two-sides"]) from None
         for name, side in zip(("width", "height"), size, strict=True):
-            is_number = isinstance(side, numbers.Real) and not isinstance(side, bool)
-            if not is_number or not 1 <= side <= LARGEST_IMAGE_PX or side != int(side):
+            if not is_number(side) or not 1 <= side <= LARGEST_IMAGE_PX or side != int(side):
                 raise Refusal(name, side, REFUSALS["whole-pixels"], LARGEST_IMAGE_PX)
         check_name("depth", self.depth, DEPTH_RANGES)
         keep_checked(self, image_size=(int(size[0]), int(size[1])))
@@ -335,7 +333,7 @@ class Pipeline:
         ]
         view = _product("view_from_world", factors)
         # The product's zeros cancel only to the last bit of the frame.
-        for row, part in zip(view.exact, self.camera.exact_view((0.0, 0.0, 0.0)), strict=False):
+        for row, part in zip(view.exact, self.camera.exact_origin, strict=False):
             row[3] = part
         return view
 
@@ -415,7 +413,7 @@ def checked_points(
         if not cells.ndim:
             raise Refusal(name, points, REFUSALS["finite-numbers"])
         _refuse_first(
-            name, cells, ~np.array(_is_real(cells), dtype=bool), REFUSALS["finite-numbers"]
+            name, cells, ~np.vectorize(is_number, otypes=[bool])(cells), REFUSALS["finite-numbers"]
         )
         _refuse_first(
             name,
@@ -435,11 +433,6 @@ def checked_points(
     _refuse_first(name, checked, ~np.isfinite(checked), REFUSALS["finite-numbers"])
     _refuse_first(name, checked, np.abs(checked) > LARGEST, REFUSALS["numbers-up-to"], LARGEST)
     return checked
-
-
-_is_real: Any = np.frompyfunc(
-    lambda part: isinstance(part, numbers.Real) and not isinstance(part, bool), 1, 1
-)
 
 
 def _refuse_first(

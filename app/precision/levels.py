@@ -18,6 +18,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from decimal import ROUND_CEILING, Context
 from fractions import Fraction
 from typing import Any, Literal, NamedTuple, TypeAlias
 
@@ -53,6 +54,11 @@ class Prediction(NamedTuple):
 
     px: float
     depth: float
+
+
+def rounded_up(bound: float, digits: int) -> float:
+    """Round a bound to so many digits, never below it."""
+    return float(Context(digits, ROUND_CEILING).create_decimal(bound))
 
 
 # --------------------------------------------------------------------------- bounds

@@ -6409,8 +6409,8 @@
         <translation>Selle sügavus on {0}. Kui kaugel kõrval see on, ei loe.</translation>
     </message>
     <message>
-        <source>Pair number {0} is {1} deep, the next one {2}. Far must be between them.</source>
-        <translation>Paari number {0} sügavus on {1}, järgmisel {2}. Kaugtasand peab olema nende vahel.</translation>
+        <source>Pair number {0} is {1} deep, the next one {2}. A tree begins 1.5 nearer: far must be between the fronts of both pairs.</source>
+        <translation>Paari number {0} sügavus on {1}, järgmisel {2}. Puu algab 1.5 lähemal: kaugtasand peab olema mõlema paari esikülgede vahel.</translation>
     </message>
 </context>
 <context>
@@ -6444,8 +6444,8 @@
         <translation>Ainult seal joonistatakse punktid punktidena, aga kettaid kuni {0} peetakse punktideks. Vaadake ülalt: terav vahemik jätkub fookuse taga.</translation>
     </message>
     <message>
-        <source>0.713 m in front of the focus, but 0.998 m behind it. The scene&apos;s numbers have both limits. Of the posts only that at 5 m is outlined as sharp: the one at 6 m stands 2 mm behind the far limit.</source>
-        <translation>Fookuse ees 0.713 m, aga taga 0.998 m. Mõlemad piirid on stseeni arvudes. Postidest on teravana kontuuriga ainult see, mis on 5 m kaugusel: 6 m kaugusel olev on kaugemast piirist 2 mm tagapool.</translation>
+        <source>0.713 m in front of the focus, but 0.998 m behind it. The scene&apos;s numbers have both limits. Of the posts those at 5 m and 6 m are outlined as sharp: the front of each is 15 cm nearer than its middle.</source>
+        <translation>Fookuse ees 0.713 m, aga taga 0.998 m. Mõlemad piirid on stseeni arvudes. Postidest on teravana kontuuriga need, mis on 5 m ja 6 m kaugusel: kummagi esikülg on 15 cm lähemal kui selle keskkoht.</translation>
     </message>
     <message>
         <source>The two limits</source>
@@ -7660,8 +7660,8 @@
         <translation>Kolmnurga nurkade vahel interpoleeritakse {0} pikslite kaupa ühtlaselt ja väiksem väärtus võidab. Kui sirged on kõverad või koode on liiga vähe, joonistatakse vale pind.</translation>
     </message>
     <message>
-        <source>Say what goes wrong with a bent line: the value interpolated at a pixel is not the depth of what is there. What is seen here is the other trouble: a buffer of 16 bits, near at 0.01, surface 2 is 0.25 behind surface 1, and 64 % of the pixels are wrong. Ask what helps. Far from 200 to 60: 63 %. Near from 0.01 to 0.1: none. Most values lie just behind near.</source>
-        <translation>Öelge, mis läheb kõvera joonega valesti: pikslis interpoleeritud väärtus ei ole seal oleva sügavus. Siin on näha teist häda: 16-bitine puhver, lähitasand 0.01, pind 2 on pinnast 1 0.25 tagapool ja 64 % pikslitest on valed. Küsige, mis aitab. Kaugtasand 200-lt 60-le: 63 %. Lähitasand 0.01-lt 0.1-le: mitte ühtki. Enamik väärtusi on kohe lähitasandi taga.</translation>
+        <source>Say what goes wrong with a bent line: the value interpolated at a pixel is not the depth of what is there. What is seen here is the other trouble: a buffer of 16 bits, near at 0.01, surface 2 is 0.25 behind surface 1, and 63 % of the pixels are wrong. Ask what helps. Far from 200 to 60: 63 %. Near from 0.01 to 0.1: none. Most values lie just behind near.</source>
+        <translation>Öelge, mis läheb kõvera joonega valesti: pikslis interpoleeritud väärtus ei ole seal oleva sügavus. Siin on näha teist häda: 16-bitine puhver, lähitasand 0.01, pind 2 on pinnast 1 0.25 tagapool ja 63 % pikslitest on valed. Küsige, mis aitab. Kaugtasand 200-lt 60-le: 63 %. Lähitasand 0.01-lt 0.1-le: mitte ühtki. Enamik väärtusi on kohe lähitasandi taga.</translation>
     </message>
     <message>
         <source>Few bits for a vertex</source>

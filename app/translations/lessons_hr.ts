@@ -6409,8 +6409,8 @@
         <translation>Dubina mu je {0}. Koliko je sa strane, ne računa se.</translation>
     </message>
     <message>
-        <source>Pair number {0} is {1} deep, the next one {2}. Far must be between them.</source>
-        <translation>Par broj {0} je na dubini {1}, sljedeći na {2}. Daleka ravnina mora biti između njih.</translation>
+        <source>Pair number {0} is {1} deep, the next one {2}. A tree begins 1.5 nearer: far must be between the fronts of both pairs.</source>
+        <translation>Par broj {0} je na dubini {1}, sljedeći na {2}. Stablo počinje 1.5 bliže: daleka ravnina mora biti između prednjih strana obaju parova.</translation>
     </message>
 </context>
 <context>
@@ -6444,8 +6444,8 @@
         <translation>Samo se ondje točke crtaju kao točke, ali krugovi do {0} prolaze kao točke. Pogledajte odozgo: oštro područje nastavlja se iza ravnine izoštravanja.</translation>
     </message>
     <message>
-        <source>0.713 m in front of the focus, but 0.998 m behind it. The scene&apos;s numbers have both limits. Of the posts only that at 5 m is outlined as sharp: the one at 6 m stands 2 mm behind the far limit.</source>
-        <translation>0.713 m ispred ravnine izoštravanja, ali 0.998 m iza nje. Brojevi scene imaju obje granice. Od stupova je samo onaj na 5 m obrubljen kao oštar: onaj na 6 m stoji 2 mm iza dalje granice.</translation>
+        <source>0.713 m in front of the focus, but 0.998 m behind it. The scene&apos;s numbers have both limits. Of the posts those at 5 m and 6 m are outlined as sharp: the front of each is 15 cm nearer than its middle.</source>
+        <translation>0.713 m ispred ravnine izoštravanja, ali 0.998 m iza nje. Brojevi scene imaju obje granice. Od stupova su oni na 5 m i 6 m obrubljeni kao oštri: prednja strana svakoga 15 cm je bliže nego njegova sredina.</translation>
     </message>
     <message>
         <source>The two limits</source>
@@ -7660,8 +7660,8 @@
         <translation>Između vrhova trokuta {0} se interpolira jednoliko po pikselima, i pobjeđuje manja vrijednost. Ako su pravci savijeni ili je kodova premalo, crta se pogrešna ploha.</translation>
     </message>
     <message>
-        <source>Say what goes wrong with a bent line: the value interpolated at a pixel is not the depth of what is there. What is seen here is the other trouble: a buffer of 16 bits, near at 0.01, surface 2 is 0.25 behind surface 1, and 64 % of the pixels are wrong. Ask what helps. Far from 200 to 60: 63 %. Near from 0.01 to 0.1: none. Most values lie just behind near.</source>
-        <translation>Recite što pođe po zlu kad je linija savijena: vrijednost interpolirana u pikselu nije dubina onoga što je ondje. Ovdje se vidi druga nevolja: spremnik od 16 bitova, bliska ravnina na 0.01, ploha 2 je 0.25 iza plohe 1, i 64 % piksela je pogrešno. Pitajte što pomaže. Daleka ravnina sa 200 na 60: 63 %. Bliska s 0.01 na 0.1: nijedan. Većina vrijednosti leži odmah iza bliske ravnine.</translation>
+        <source>Say what goes wrong with a bent line: the value interpolated at a pixel is not the depth of what is there. What is seen here is the other trouble: a buffer of 16 bits, near at 0.01, surface 2 is 0.25 behind surface 1, and 63 % of the pixels are wrong. Ask what helps. Far from 200 to 60: 63 %. Near from 0.01 to 0.1: none. Most values lie just behind near.</source>
+        <translation>Recite što pođe po zlu kad je linija savijena: vrijednost interpolirana u pikselu nije dubina onoga što je ondje. Ovdje se vidi druga nevolja: spremnik od 16 bitova, bliska ravnina na 0.01, ploha 2 je 0.25 iza plohe 1, i 63 % piksela je pogrešno. Pitajte što pomaže. Daleka ravnina sa 200 na 60: 63 %. Bliska s 0.01 na 0.1: nijedan. Većina vrijednosti leži odmah iza bliske ravnine.</translation>
     </message>
     <message>
         <source>Few bits for a vertex</source>

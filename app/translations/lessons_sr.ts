@@ -6409,8 +6409,8 @@
         <translation>Његова дубина је {0}. Није важно колико је у страну.</translation>
     </message>
     <message>
-        <source>Pair number {0} is {1} deep, the next one {2}. Far must be between them.</source>
-        <translation>Пар број {0} је на дубини {1}, следећи на {2}. Задња раван мора бити између њих.</translation>
+        <source>Pair number {0} is {1} deep, the next one {2}. A tree begins 1.5 nearer: far must be between the fronts of both pairs.</source>
+        <translation>Пар број {0} је на дубини {1}, следећи на {2}. Дрво почиње 1.5 ближе: задња раван мора бити између предњих страна оба пара.</translation>
     </message>
 </context>
 <context>
@@ -6444,8 +6444,8 @@
         <translation>Само се тамо тачке цртају као тачке, али и дискови до {0} пролазе као тачке. Погледајте одозго: оштри опсег се наставља иза фокуса.</translation>
     </message>
     <message>
-        <source>0.713 m in front of the focus, but 0.998 m behind it. The scene&apos;s numbers have both limits. Of the posts only that at 5 m is outlined as sharp: the one at 6 m stands 2 mm behind the far limit.</source>
-        <translation>0.713 m испред фокуса, али 0.998 m иза њега. Бројеви сцене имају обе границе. Од стубова је као оштар уоквирен само онај на 5 m: онај на 6 m стоји 2 mm иза даље границе.</translation>
+        <source>0.713 m in front of the focus, but 0.998 m behind it. The scene&apos;s numbers have both limits. Of the posts those at 5 m and 6 m are outlined as sharp: the front of each is 15 cm nearer than its middle.</source>
+        <translation>0.713 m испред фокуса, али 0.998 m иза њега. Бројеви сцене имају обе границе. Од стубова су као оштри уоквирени они на 5 m и 6 m: предња страна сваког је 15 cm ближе него његова средина.</translation>
     </message>
     <message>
         <source>The two limits</source>
@@ -7660,8 +7660,8 @@
         <translation>Између темена троугла {0} се равномерно интерполира по пикселима, и побеђује мања вредност. Ако су линије савијене, или је кодова премало, црта се погрешна површ.</translation>
     </message>
     <message>
-        <source>Say what goes wrong with a bent line: the value interpolated at a pixel is not the depth of what is there. What is seen here is the other trouble: a buffer of 16 bits, near at 0.01, surface 2 is 0.25 behind surface 1, and 64 % of the pixels are wrong. Ask what helps. Far from 200 to 60: 63 %. Near from 0.01 to 0.1: none. Most values lie just behind near.</source>
-        <translation>Реците шта је лоше код савијене линије: вредност интерполирана у пикселу није дубина онога што је тамо. Овде се види друга невоља: бафер од 16 бита, предња раван на 0.01, површ 2 је 0.25 иза површи 1, и 64 % пиксела је погрешно. Питајте шта помаже. Задња раван са 200 на 60: 63 %. Предња раван са 0.01 на 0.1: ниједан. Већина вредности лежи одмах иза предње равни.</translation>
+        <source>Say what goes wrong with a bent line: the value interpolated at a pixel is not the depth of what is there. What is seen here is the other trouble: a buffer of 16 bits, near at 0.01, surface 2 is 0.25 behind surface 1, and 63 % of the pixels are wrong. Ask what helps. Far from 200 to 60: 63 %. Near from 0.01 to 0.1: none. Most values lie just behind near.</source>
+        <translation>Реците шта је лоше код савијене линије: вредност интерполирана у пикселу није дубина онога што је тамо. Овде се види друга невоља: бафер од 16 бита, предња раван на 0.01, површ 2 је 0.25 иза површи 1, и 63 % пиксела је погрешно. Питајте шта помаже. Задња раван са 200 на 60: 63 %. Предња раван са 0.01 на 0.1: ниједан. Већина вредности лежи одмах иза предње равни.</translation>
     </message>
     <message>
         <source>Few bits for a vertex</source>

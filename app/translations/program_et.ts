@@ -471,6 +471,22 @@
         <source>{0} in large</source>
         <translation>{0} suurelt</translation>
     </message>
+    <message>
+        <source>Speaker&apos;s &amp;window</source>
+        <translation>Esineja &amp;aken</translation>
+    </message>
+    <message>
+        <source>Open it when a talk is presente&amp;d</source>
+        <translation>Ava see ettekande esit&amp;lemisel</translation>
+    </message>
+    <message>
+        <source>Add th&amp;is state as a step…</source>
+        <translation>Lisa p&amp;raegune olek sammuna…</translation>
+    </message>
+    <message>
+        <source>A new talk fro&amp;m here…</source>
+        <translation>Uus ettekanne siit e&amp;dasi…</translation>
+    </message>
 </context>
 <context>
     <name>Adaptive</name>
@@ -3024,12 +3040,12 @@
         <translation>Frustumi vasaku ja parema külje vaheline nurk silmast vaadates: vertikaalne frustumi nurk ja kuvasuhe ühes arvus.</translation>
     </message>
     <message>
-        <source>Angle of the projectors with the x axis: H of lecture 002 adds (z + near) cot(alpha) to x. Points on the near plane do not move.</source>
-        <translation>Projektsioonikiirte nurk x-teljega: loengu 002 H liidab x-ile (z + lähitasand) cot(alfa). Lähitasandi punktid ei liigu.</translation>
+        <source>Angle of the projectors with the x axis, seen from above: H of lecture 002 adds (z + near) cot(alpha) to x. Points on the near plane do not move.</source>
+        <translation>Projektsioonikiirte nurk x-teljega ülalt vaadatuna: loengu 002 H liidab x-ile (z + lähitasand) cot(alfa). Lähitasandi punktid ei liigu.</translation>
     </message>
     <message>
-        <source>Angle of the projectors with the y axis: H of lecture 002 adds (z + near) cot(beta) to y. Points on the near plane do not move.</source>
-        <translation>Projektsioonikiirte nurk y-teljega: loengu 002 H liidab y-ile (z + lähitasand) cot(beeta). Lähitasandi punktid ei liigu.</translation>
+        <source>Angle of the projectors with the y axis, seen from the side: H of lecture 002 adds (z + near) cot(beta) to y. Points on the near plane do not move.</source>
+        <translation>Projektsioonikiirte nurk y-teljega küljelt vaadatuna: loengu 002 H liidab y-ile (z + lähitasand) cot(beeta). Lähitasandi punktid ei liigu.</translation>
     </message>
     <message>
         <source>Any four by four matrix with an inverse that leaves w alone.</source>
@@ -3108,8 +3124,8 @@
         <translation>Kaugus silmast kaugtasandini: midagi kaugemat ei joonistata. Perspektiivne objektiiv lubab liuguri otsas ka inf (∞).</translation>
     </message>
     <message>
-        <source>Distance from the eye to the near plane: nothing nearer is drawn. The closer to 0, the coarser the depth buffer.</source>
-        <translation>Kaugus silmast lähitasandini: midagi lähemat ei joonistata. Mida lähemal 0-le, seda jämedam on sügavuspuhver.</translation>
+        <source>Distance from the eye to the near plane: nothing nearer is drawn. The closer to 0, the coarser the depth buffer of a perspective lens.</source>
+        <translation>Kaugus silmast lähitasandini: midagi lähemat ei joonistata. Mida lähemal 0-le, seda jämedam on perspektiivse objektiivi sügavuspuhver.</translation>
     </message>
     <message>
         <source>Distance from the target to the eye.</source>
@@ -3601,6 +3617,10 @@
     <message>
         <source>The file has {0} views:</source>
         <translation>Vaateid failis: {0}</translation>
+    </message>
+    <message>
+        <source>Close the lesson, and Undo brings back the unsaved changes to {0}.</source>
+        <translation>Sulgege õppetund, siis toob „Võta tagasi“ dokumendi {0} salvestamata muudatused tagasi.</translation>
     </message>
     <message>
         <source>Undo brings back the unsaved changes to {0}.</source>
@@ -7458,8 +7478,16 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>annab vastuse teist moodi: jätke alles üks nendest: {0}</translation>
     </message>
     <message>
+        <source>has a formula that only an exercise writes in</source>
+        <translation>sisaldab valemit, mille kirjutab sisse ainult „exercise”</translation>
+    </message>
+    <message>
         <source>has HTML, which a lesson shows as it is typed</source>
         <translation>sisaldab HTML-i, mida õppetund näitab nii, nagu see on kirjutatud</translation>
+    </message>
+    <message>
+        <source>has “{0}:”, which belongs to {1} only</source>
+        <translation>sisaldab võtit „{0}:”, mis käib ainult koos järgmistega: {1}</translation>
     </message>
     <message>
         <source>has a CAMERA_ID that is not in cameras.txt</source>
@@ -8420,6 +8448,10 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     <message>
         <source>needs {0}</source>
         <translation>vaja on {0}</translation>
+    </message>
+    <message>
+        <source>needs {0} among its tiles</source>
+        <translation>vajab oma lülide hulka ka {0}</translation>
     </message>
     <message>
         <source>pane = {0}: must be one of {1}.</source>
@@ -9510,25 +9542,6 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     <message>
         <source>Step</source>
         <translation>Samm</translation>
-    </message>
-</context>
-<context>
-    <name>TalkActions</name>
-    <message>
-        <source>Speaker&apos;s &amp;window</source>
-        <translation>Esineja &amp;aken</translation>
-    </message>
-    <message>
-        <source>Open it when a talk is presente&amp;d</source>
-        <translation>Ava see ettekande esit&amp;lemisel</translation>
-    </message>
-    <message>
-        <source>Add th&amp;is state as a step…</source>
-        <translation>Lisa p&amp;raegune olek sammuna…</translation>
-    </message>
-    <message>
-        <source>A new talk fro&amp;m here…</source>
-        <translation>Uus ettekanne siit e&amp;dasi…</translation>
     </message>
 </context>
 <context>
@@ -10830,8 +10843,8 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Päike</translation>
     </message>
     <message>
-        <source>Surface 2 lies behind surface 1 by the gap, and reaches out at its side. Where the depth buffer stores both with the same code, the surface that is drawn last is seen: z-fighting. With a perspective lens and the standard range most codes lie just behind near, so near matters much more than far. When the scene opens, with its ramp, 64 % of the pixels that both cover are wrong, 0 % with near 0.1, 63 % with far 60. The picture tells codes of up to 24 bits apart exactly.</source>
-        <translation>Pind 2 on pinna 1 taga, nende vahe on ette antud, ja ulatub kõrvalt välja. Kus sügavuspuhver salvestab mõlemad sama koodiga, on näha pind, mis joonistatakse viimasena: z-fighting. Perspektiivse objektiivi ja tavalise vahemiku puhul on enamik koode kohe lähitasandi taga, nii et lähitasand loeb palju rohkem kui kaugtasand. Kui stseen avaneb oma kaldteega, on valesid piksleid nende seas, mida mõlemad katavad, 64 %, lähitasandi 0.1 korral 0 %, kaugtasandi 60 korral 63 %. Pilt eristab kuni 24-bitised koodid täpselt.</translation>
+        <source>Surface 2 lies behind surface 1 by the gap, and reaches out at its side. Where the depth buffer stores both with the same code, the surface that is drawn last is seen: z-fighting. With a perspective lens and the standard range most codes lie just behind near, so near matters much more than far. When the scene opens, with its ramp, 63 % of the pixels that both cover are wrong, 0 % with near 0.1, 63 % with far 60. The picture tells codes of up to 24 bits apart exactly.</source>
+        <translation>Pind 2 on pinna 1 taga, nende vahe on ette antud, ja ulatub kõrvalt välja. Kus sügavuspuhver salvestab mõlemad sama koodiga, on näha pind, mis joonistatakse viimasena: z-fighting. Perspektiivse objektiivi ja tavalise vahemiku puhul on enamik koode kohe lähitasandi taga, nii et lähitasand loeb palju rohkem kui kaugtasand. Kui stseen avaneb oma kaldteega, on valesid piksleid nende seas, mida mõlemad katavad, 63 %, lähitasandi 0.1 korral 0 %, kaugtasandi 60 korral 63 %. Pilt eristab kuni 24-bitised koodid täpselt.</translation>
     </message>
     <message>
         <source>Switch the detail on: what is saved?</source>

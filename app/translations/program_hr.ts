@@ -471,6 +471,22 @@
         <source>{0} in large</source>
         <translation>{0}: veliko okno</translation>
     </message>
+    <message>
+        <source>Speaker&apos;s &amp;window</source>
+        <translation>Prozor predava&amp;ča</translation>
+    </message>
+    <message>
+        <source>Open it when a talk is presente&amp;d</source>
+        <translation>Otvori ga kad se &amp;izlaže</translation>
+    </message>
+    <message>
+        <source>Add th&amp;is state as a step…</source>
+        <translation>&amp;Dodaj ovo stanje kao korak…</translation>
+    </message>
+    <message>
+        <source>A new talk fro&amp;m here…</source>
+        <translation>&amp;Novo izlaganje odavde…</translation>
+    </message>
 </context>
 <context>
     <name>Adaptive</name>
@@ -3039,12 +3055,12 @@
         <translation>Kut između lijeve i desne strane krnje piramide, gledano iz kamere: vertikalno vidno polje i omjer stranica u jednom broju.</translation>
     </message>
     <message>
-        <source>Angle of the projectors with the x axis: H of lecture 002 adds (z + near) cot(alpha) to x. Points on the near plane do not move.</source>
-        <translation>Kut zraka projiciranja s osi x: H iz predavanja 002 dodaje (z + near) cot(alpha) koordinati x. Točke na bliskoj ravnini ne pomiču se.</translation>
+        <source>Angle of the projectors with the x axis, seen from above: H of lecture 002 adds (z + near) cot(alpha) to x. Points on the near plane do not move.</source>
+        <translation>Kut zraka projiciranja s osi x, gledano odozgo: H iz predavanja 002 dodaje (z + near) cot(alpha) koordinati x. Točke na bliskoj ravnini ne pomiču se.</translation>
     </message>
     <message>
-        <source>Angle of the projectors with the y axis: H of lecture 002 adds (z + near) cot(beta) to y. Points on the near plane do not move.</source>
-        <translation>Kut zraka projiciranja s osi y: H iz predavanja 002 dodaje (z + near) cot(beta) koordinati y. Točke na bliskoj ravnini ne pomiču se.</translation>
+        <source>Angle of the projectors with the y axis, seen from the side: H of lecture 002 adds (z + near) cot(beta) to y. Points on the near plane do not move.</source>
+        <translation>Kut zraka projiciranja s osi y, gledano sa strane: H iz predavanja 002 dodaje (z + near) cot(beta) koordinati y. Točke na bliskoj ravnini ne pomiču se.</translation>
     </message>
     <message>
         <source>Any four by four matrix with an inverse that leaves w alone.</source>
@@ -3123,8 +3139,8 @@
         <translation>Udaljenost od kamere do daleke ravnine: ništa udaljenije se ne crta. Perspektivni objektiv prima i inf (∞), na kraju klizača.</translation>
     </message>
     <message>
-        <source>Distance from the eye to the near plane: nothing nearer is drawn. The closer to 0, the coarser the depth buffer.</source>
-        <translation>Udaljenost od kamere do bliske ravnine: ništa bliže se ne crta. Što je bliža 0, to je spremnik dubine grublji.</translation>
+        <source>Distance from the eye to the near plane: nothing nearer is drawn. The closer to 0, the coarser the depth buffer of a perspective lens.</source>
+        <translation>Udaljenost od kamere do bliske ravnine: ništa bliže se ne crta. Što je bliža 0, to je spremnik dubine perspektivnog objektiva grublji.</translation>
     </message>
     <message>
         <source>Distance from the target to the eye.</source>
@@ -3616,6 +3632,10 @@
     <message>
         <source>The file has {0} views:</source>
         <translation>Datoteka ima više pogleda ({0}):</translation>
+    </message>
+    <message>
+        <source>Close the lesson, and Undo brings back the unsaved changes to {0}.</source>
+        <translation>Zatvorite lekciju, a Poništi zatim vraća nespremljene promjene: {0}.</translation>
     </message>
     <message>
         <source>Undo brings back the unsaved changes to {0}.</source>
@@ -7474,8 +7494,16 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>daje odgovor na drugi način: zadržite jedno od {0}</translation>
     </message>
     <message>
+        <source>has a formula that only an exercise writes in</source>
+        <translation>ima formulu koju upisuje samo „exercise”</translation>
+    </message>
+    <message>
         <source>has HTML, which a lesson shows as it is typed</source>
         <translation>ima HTML, koji lekcija prikazuje onako kako je upisan</translation>
+    </message>
+    <message>
+        <source>has “{0}:”, which belongs to {1} only</source>
+        <translation>sadrži „{0}:”, što pripada samo uz {1}</translation>
     </message>
     <message>
         <source>has a CAMERA_ID that is not in cameras.txt</source>
@@ -8436,6 +8464,10 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     <message>
         <source>needs {0}</source>
         <translation>treba {0}</translation>
+    </message>
+    <message>
+        <source>needs {0} among its tiles</source>
+        <translation>treba {0} među svojim pločicama</translation>
     </message>
     <message>
         <source>pane = {0}: must be one of {1}.</source>
@@ -9526,25 +9558,6 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     <message>
         <source>Step</source>
         <translation>Korak</translation>
-    </message>
-</context>
-<context>
-    <name>TalkActions</name>
-    <message>
-        <source>Speaker&apos;s &amp;window</source>
-        <translation>Prozor predava&amp;ča</translation>
-    </message>
-    <message>
-        <source>Open it when a talk is presente&amp;d</source>
-        <translation>Otvori ga kad se &amp;izlaže</translation>
-    </message>
-    <message>
-        <source>Add th&amp;is state as a step…</source>
-        <translation>&amp;Dodaj ovo stanje kao korak…</translation>
-    </message>
-    <message>
-        <source>A new talk fro&amp;m here…</source>
-        <translation>&amp;Novo izlaganje odavde…</translation>
     </message>
 </context>
 <context>
@@ -10846,8 +10859,8 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Sunce</translation>
     </message>
     <message>
-        <source>Surface 2 lies behind surface 1 by the gap, and reaches out at its side. Where the depth buffer stores both with the same code, the surface that is drawn last is seen: z-fighting. With a perspective lens and the standard range most codes lie just behind near, so near matters much more than far. When the scene opens, with its ramp, 64 % of the pixels that both cover are wrong, 0 % with near 0.1, 63 % with far 60. The picture tells codes of up to 24 bits apart exactly.</source>
-        <translation>Ploha 2 leži iza plohe 1 za razmak, a sa strane viri izvan nje. Gdje spremnik dubine obje sprema istim kodom, vidi se ploha koja se crta posljednja: borba za dubinu (z-fighting). Kod perspektivnog objektiva i standardnog raspona većina kodova leži odmah iza bliske ravnine, pa je bliska ravnina mnogo važnija od daleke. Kad se scena otvori, sa svojom kosinom, pogrešno je 64 % piksela koje obje pokrivaju, 0 % s bliskom ravninom na 0.1, a 63 % s dalekom na 60. Slika egzaktno razlikuje kodove do 24 bita.</translation>
+        <source>Surface 2 lies behind surface 1 by the gap, and reaches out at its side. Where the depth buffer stores both with the same code, the surface that is drawn last is seen: z-fighting. With a perspective lens and the standard range most codes lie just behind near, so near matters much more than far. When the scene opens, with its ramp, 63 % of the pixels that both cover are wrong, 0 % with near 0.1, 63 % with far 60. The picture tells codes of up to 24 bits apart exactly.</source>
+        <translation>Ploha 2 leži iza plohe 1 za razmak, a sa strane viri izvan nje. Gdje spremnik dubine obje sprema istim kodom, vidi se ploha koja se crta posljednja: borba za dubinu (z-fighting). Kod perspektivnog objektiva i standardnog raspona većina kodova leži odmah iza bliske ravnine, pa je bliska ravnina mnogo važnija od daleke. Kad se scena otvori, sa svojom kosinom, pogrešno je 63 % piksela koje obje pokrivaju, 0 % s bliskom ravninom na 0.1, a 63 % s dalekom na 60. Slika egzaktno razlikuje kodove do 24 bita.</translation>
     </message>
     <message>
         <source>Switch the detail on: what is saved?</source>

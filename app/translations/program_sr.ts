@@ -471,6 +471,22 @@
         <source>{0} in large</source>
         <translation>{0} – велики приказ</translation>
     </message>
+    <message>
+        <source>Speaker&apos;s &amp;window</source>
+        <translation>Прозор пре&amp;давача</translation>
+    </message>
+    <message>
+        <source>Open it when a talk is presente&amp;d</source>
+        <translation>Отвори га при изл&amp;агању презентације</translation>
+    </message>
+    <message>
+        <source>Add th&amp;is state as a step…</source>
+        <translation>Дода&amp;ј ово стање као корак…</translation>
+    </message>
+    <message>
+        <source>A new talk fro&amp;m here…</source>
+        <translation>Нова презента&amp;ција одавде…</translation>
+    </message>
 </context>
 <context>
     <name>Adaptive</name>
@@ -3039,12 +3055,12 @@
         <translation>Угао између леве и десне стране зарубљене пирамиде, гледано из позиције камере: вертикално видно поље и однос ширине и висине у једном броју.</translation>
     </message>
     <message>
-        <source>Angle of the projectors with the x axis: H of lecture 002 adds (z + near) cot(alpha) to x. Points on the near plane do not move.</source>
-        <translation>Угао зрака пројекције са осом x: H из предавања 002 додаје (z + near) cot(alpha) на x. Тачке на предњој равни се не померају.</translation>
+        <source>Angle of the projectors with the x axis, seen from above: H of lecture 002 adds (z + near) cot(alpha) to x. Points on the near plane do not move.</source>
+        <translation>Угао зрака пројекције са осом x, гледано одозго: H из предавања 002 додаје (z + near) cot(alpha) на x. Тачке на предњој равни се не померају.</translation>
     </message>
     <message>
-        <source>Angle of the projectors with the y axis: H of lecture 002 adds (z + near) cot(beta) to y. Points on the near plane do not move.</source>
-        <translation>Угао зрака пројекције са осом y: H из предавања 002 додаје (z + near) cot(beta) на y. Тачке на предњој равни се не померају.</translation>
+        <source>Angle of the projectors with the y axis, seen from the side: H of lecture 002 adds (z + near) cot(beta) to y. Points on the near plane do not move.</source>
+        <translation>Угао зрака пројекције са осом y, гледано са стране: H из предавања 002 додаје (z + near) cot(beta) на y. Тачке на предњој равни се не померају.</translation>
     </message>
     <message>
         <source>Any four by four matrix with an inverse that leaves w alone.</source>
@@ -3123,8 +3139,8 @@
         <translation>Растојање од позиције камере до задње равни: ништа даље се не црта. Перспективни објектив прима и inf (∞), на крају клизача.</translation>
     </message>
     <message>
-        <source>Distance from the eye to the near plane: nothing nearer is drawn. The closer to 0, the coarser the depth buffer.</source>
-        <translation>Растојање од позиције камере до предње равни: ништа ближе се не црта. Што је ближе 0, то је бафер дубине грубљи.</translation>
+        <source>Distance from the eye to the near plane: nothing nearer is drawn. The closer to 0, the coarser the depth buffer of a perspective lens.</source>
+        <translation>Растојање од позиције камере до предње равни: ништа ближе се не црта. Што је ближе 0, то је бафер дубине перспективног објектива грубљи.</translation>
     </message>
     <message>
         <source>Distance from the target to the eye.</source>
@@ -3616,6 +3632,10 @@
     <message>
         <source>The file has {0} views:</source>
         <translation>Број погледа у датотеци: {0}</translation>
+    </message>
+    <message>
+        <source>Close the lesson, and Undo brings back the unsaved changes to {0}.</source>
+        <translation>Затворите лекцију, а „Опозови” затим враћа несачуване измене: {0}.</translation>
     </message>
     <message>
         <source>Undo brings back the unsaved changes to {0}.</source>
@@ -7474,8 +7494,16 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>даје одговор на други начин: задржите једно од {0}</translation>
     </message>
     <message>
+        <source>has a formula that only an exercise writes in</source>
+        <translation>има формулу коју уписује само „exercise”</translation>
+    </message>
+    <message>
         <source>has HTML, which a lesson shows as it is typed</source>
         <translation>садржи HTML, који лекција приказује онако како је откуцан</translation>
+    </message>
+    <message>
+        <source>has “{0}:”, which belongs to {1} only</source>
+        <translation>садржи „{0}:”, што иде само уз {1}</translation>
     </message>
     <message>
         <source>has a CAMERA_ID that is not in cameras.txt</source>
@@ -8436,6 +8464,10 @@ An error in {3} is {2} times as large in u and v.</source>
     <message>
         <source>needs {0}</source>
         <translation>тражи {0}</translation>
+    </message>
+    <message>
+        <source>needs {0} among its tiles</source>
+        <translation>тражи {0} међу својим плочицама</translation>
     </message>
     <message>
         <source>pane = {0}: must be one of {1}.</source>
@@ -9526,25 +9558,6 @@ An error in {3} is {2} times as large in u and v.</source>
     <message>
         <source>Step</source>
         <translation>Корак</translation>
-    </message>
-</context>
-<context>
-    <name>TalkActions</name>
-    <message>
-        <source>Speaker&apos;s &amp;window</source>
-        <translation>Прозор пре&amp;давача</translation>
-    </message>
-    <message>
-        <source>Open it when a talk is presente&amp;d</source>
-        <translation>Отвори га при изл&amp;агању презентације</translation>
-    </message>
-    <message>
-        <source>Add th&amp;is state as a step…</source>
-        <translation>Дода&amp;ј ово стање као корак…</translation>
-    </message>
-    <message>
-        <source>A new talk fro&amp;m here…</source>
-        <translation>Нова презента&amp;ција одавде…</translation>
     </message>
 </context>
 <context>
@@ -10846,8 +10859,8 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Сунце</translation>
     </message>
     <message>
-        <source>Surface 2 lies behind surface 1 by the gap, and reaches out at its side. Where the depth buffer stores both with the same code, the surface that is drawn last is seen: z-fighting. With a perspective lens and the standard range most codes lie just behind near, so near matters much more than far. When the scene opens, with its ramp, 64 % of the pixels that both cover are wrong, 0 % with near 0.1, 63 % with far 60. The picture tells codes of up to 24 bits apart exactly.</source>
-        <translation>Површ 2 лежи иза површи 1 на датом размаку, и вири са њене стране. Где бафер дубине обе чува под истим кодом, види се површ која је нацртана последња: борба за z (z-fighting). Са перспективним објективом и стандардним опсегом већина кодова лежи одмах иза предње равни, па је она много важнија од задње. Када се сцена отвори, са својом рампом, погрешно је 64 % пиксела које обе покривају, 0 % са предњом равни на 0.1, 63 % са задњом равни на 60. Слика тачно разликује кодове до 24 бита.</translation>
+        <source>Surface 2 lies behind surface 1 by the gap, and reaches out at its side. Where the depth buffer stores both with the same code, the surface that is drawn last is seen: z-fighting. With a perspective lens and the standard range most codes lie just behind near, so near matters much more than far. When the scene opens, with its ramp, 63 % of the pixels that both cover are wrong, 0 % with near 0.1, 63 % with far 60. The picture tells codes of up to 24 bits apart exactly.</source>
+        <translation>Површ 2 лежи иза површи 1 на датом размаку, и вири са њене стране. Где бафер дубине обе чува под истим кодом, види се површ која је нацртана последња: борба за z (z-fighting). Са перспективним објективом и стандардним опсегом већина кодова лежи одмах иза предње равни, па је она много важнија од задње. Када се сцена отвори, са својом рампом, погрешно је 63 % пиксела које обе покривају, 0 % са предњом равни на 0.1, 63 % са задњом равни на 60. Слика тачно разликује кодове до 24 бита.</translation>
     </message>
     <message>
         <source>Switch the detail on: what is saved?</source>

@@ -290,9 +290,9 @@ def test_table_has_a_block_for_each_point_with_the_numbers_aligned(by_hand: Path
         f"computed in float64; errors are below: {errors}", done.stdout.split("\n")[-2]
     )
     assert last is not None
-    # Of the middle of the picture, (100, 50), half an ulp is 7.1e-15.
+    # Of the middle of the picture, (100, 50), half an ulp is 7.105e-15.
     single, double, exactly = map(float, last.groups())
-    assert 7.1e-15 <= exactly < 7.2e-15 < double < 1e-12 < 1e-6 < single < 1e-3
+    assert 2.0**-47 < exactly == 7.2e-15 < double < 1e-12 < 1e-6 < single < 1e-3
     assert done.stdout.splitlines()[2:11] == [
         "point 1     x  y   z     w",
         "     world  0  0   6",
@@ -1239,10 +1239,10 @@ def test_export_writes_shapes_as_svg_and_pdf(tmp_path: Path, by_hand: Path) -> N
     [
         (["figure.jpg"], "OUT = 'figure.jpg': must end in .png, .svg, .pdf or .tex, or in .html"),
         (["figure.svg", "--scale", "2"], "--scale: is for .png; shapes are as fine at every scale"),
-        (
-            ["figure.svg", "--panes", "world,depth"],
-            "--panes = 'depth': must be one of world",
-        ),
+        (["figure.svg", "--panes", "world,depth"], "--panes = 'depth': must be one of world, ndc"),
+        (["a.png", "--panes=depth", "--language=hr"], "--panes = 'depth': mora biti jedno od"),
+        (["a.png", "--text-size=0", "--language=hr"], "--text-size = 0: mora biti od 0.24 do 38.4"),
+        (["a.png", "--scale=0", "--language=et"], "--scale = 0: peab olema suurem kui 0"),
         (["no/such/folder/figure.png"], "there is no folder no/such/folder"),
         (
             ["figure.png", "--size", "960x100000"],

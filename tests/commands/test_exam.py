@@ -304,6 +304,16 @@ def test_bad_options_are_refused(lesson: Path, changes: dict[str, str], said: st
     assert [path.name for path in lesson.parent.rglob("*.pdf")] == []
 
 
+def test_a_fault_of_a_lesson_is_said_with_its_file(lesson: Path, tmp_path: Path) -> None:
+    text = lesson.read_text("utf-8")
+    lesson.write_text(text.replace("scene=letter-f", "scene=letter-f\nlens.near=-3", 1), "utf-8")
+    words = "lesson", "print", "--topics", lesson, "--seeds", "1", "--out", tmp_path / "t"
+    done = run_here(*words)
+    said = done.stderr
+    assert done.returncode == 2 and said.count("\n") == 1
+    assert said.startswith(f"{lesson}: line ") and "lens.near = -3: must be greater" in said
+
+
 def test_options_of_print_belong_to_print() -> None:
     said = one_sentence(run_here("lesson", "list", "--seeds", "1:3"), 2)
     assert said == "--seeds: is an option of lesson print, not of lesson list.\n"

@@ -10,6 +10,7 @@ import pytest
 from app.commands import options
 from app.document.document import Document
 from app.document.settings import set_values
+from app.languages import sentences
 from app.lecture.conventions import CONVENTIONS, in_convention, world_planes
 from app.lecture.letters import LETTERS, Letters
 from app.lecture.notation import clip_signs
@@ -25,6 +26,7 @@ NUMPY = "[[1.8,0,0,0],[0,2.4,0,0],[0,0,-1.002,-0.2002],[0,0,-1,0]]"
 
 def test_the_options_are_those_of_the_table() -> None:
     assert [*CONVENTIONS] == options.choices("matrices", "--convention")
+    assert {f"in-{name}" for name in CONVENTIONS} <= sentences().keys()
 
 
 @pytest.mark.parametrize("name", CONVENTIONS)

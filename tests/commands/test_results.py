@@ -121,6 +121,16 @@ def test_every_mark_comes_from_what_was_typed(
     assert found[-2]["note"] == "no such question here"
 
 
+def test_files_of_one_name_are_told_apart(folder: Path) -> None:
+    """A class hands in `result.json`, as the window proposes, each in a folder."""
+    for name in "ab":
+        (folder / name).mkdir()
+        tree = exported(answer("wide", 1, "56.4", "right"))
+        (folder / name / "result.json").write_text(json.dumps(tree), encoding="utf-8")
+    assert run("a/result.json", "b/result.json", table="out.csv") == 0
+    assert [row["file"] for row in rows(folder / "out.csv")] == ["a/result.json", "b/result.json"]
+
+
 def test_a_test_has_no_hints_in_a_table_either(folder: Path) -> None:
     """Older programs counted all hints of a test as read, and did not say what was a test."""
     key = {"lesson": "l03-field-of-view", "exercise": "practise-1/alpha"}

@@ -379,7 +379,7 @@ def test_a_handout_is_written_whole_or_not_at_all(qapp: Any, talk: Path, tmp_pat
     out = tmp_path / "out.pdf"
     out.write_bytes(b"of before")
     talk.write_text(TALK.replace("show: lens.near=3", "show: lens.near=99"), encoding="utf-8")
-    assert "line 26" in one_sentence(run_here("talk", talk, "--handout", out), 2)
+    assert "small.md: line 26" in one_sentence(run_here("talk", talk, "--handout", out), 2)
     assert out.read_bytes() == b"of before"
     talk.unlink()
     assert "small.md does not exist" in refused("talk", talk, "--handout", out)

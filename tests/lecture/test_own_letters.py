@@ -15,7 +15,6 @@ from app.document.files import read_letters
 from app.lecture.copying import latex_called, latex_name
 from app.lecture.equation import equation_of
 from app.lecture.letters import (
-    GREEK,
     LETTERS,
     axis_letters,
     in_letters,
@@ -25,11 +24,11 @@ from app.lecture.letters import (
 )
 from app.lecture.notation import matrices, names_of, steps_of_a_point
 from app.lecture.paper import displayed
-from app.lecture.typesetting import GREEK as SET
 from app.lessons.course import Course
 from app.lessons.lesson import read as read_lesson
 from app.lessons.writing import begin_talk
 from app.model.formula import ARROW
+from app.model.formula_text import GREEK
 from app.model.projection import Oblique, Perspective, Projection
 from app.model.refusal import Refusal
 from tests.support.commands import refused, run_here
@@ -88,8 +87,7 @@ def test_matrices_have_their_names_in_chains() -> None:
 
 
 def test_every_greek_letter_is_set_everywhere() -> None:
-    assert {*GREEK} == {*SET}
-    for letter, name in SET.items():
+    for letter, name in GREEK.items():
         ours = name if name in ("alpha", "beta") else "W"
         own = f'[parameters]\n{ours.replace("W", "width")} = "{letter}"\n'
         assert latex_formula(ours, own).removeprefix("\\").removeprefix("var") == name

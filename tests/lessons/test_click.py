@@ -44,6 +44,7 @@ def test_a_click_counts_up_to_its_distance_in_pixels() -> None:
         "- $y_{\\mathrm{win}} = \\frac{\\mathrm{height}}{2}$ $= \\frac{400}{2}$ $= 200$"
     )
     assert asked.answer_text(here, "{:g}".format) == "(400, 200)"
+    assert asked.printed(["0,5", "200"]) == "(0,5; 200)", "a decimal comma parts no numbers"
 
 
 def test_the_distance_is_that_of_the_window_if_there_is_one() -> None:

@@ -26,7 +26,8 @@ from app.lessons.checking import CheckReport
 from app.lessons.contents import CONTENT, contained
 from app.lessons.course import Course
 from app.lessons.lesson import is_lesson, read
-from app.lessons.practice import exercises_of
+from app.lessons.practice import PlacedExercise, exercises_of
+from app.scenes.scene import load
 from tests.fuzz.variants import faults_of
 from tests.support.commands import run_here
 from tests.support.lessons import LESSON
@@ -379,6 +380,54 @@ def test_only_lessons_are_among_the_lessons() -> None:
     report = CheckReport()
     report.take(read(CONTENT / "ideas.md"))
     assert report.wrong == []
+
+
+def exercise(lesson: str, step: str, name: str) -> PlacedExercise:
+    (path,) = CONTENT.glob(f"{lesson}-*.md")
+    found = (e for e in exercises_of(Course(read(path))) if e.key[1] == f"{step}/{name}")
+    return next(found)
+
+
+def test_every_seed_of_the_rarest_exercise_has_numbers() -> None:
+    tilted = exercise("l01", "practise-4", "tilted")
+    for seed in (782, 1589, 1997, 3022, 3067, 3503):
+        assert tilted.with_numbers(seed).numbers
+
+
+def test_l10_points_at_two_depths_are_at_two_depths() -> None:
+    height, depths = exercise("l10", "practise-2", "height"), set()
+    for seed in range(1, 40):
+        variant = height.with_numbers(seed)
+        state = next(each.state for each in variant.question.replies if each.idea == "ortho-div")
+        one, other = variant.here.shown_by(state).view.probes
+        assert one.point[1] == other.point[1] and one.point[2] != other.point[2]
+        depths.add(variant.numbers["d"])
+    assert depths == set(range(2, 13))
+
+
+def test_l23_so_many_trees_are_drawn_between_the_fronts_of_the_pairs() -> None:
+    count = exercise("l23", "practise-3", "count")
+    for seed in range(1, 9):
+        variant = count.with_numbers(seed)
+        first = variant.numbers["d"] + 3 * variant.numbers["k"] - 6
+        for far, is_done in (
+            (first - 2, False),
+            (first - 1, True),
+            (first + 4, True),
+            (first + 5, False),
+        ):
+            tried = set_values(variant.here.document, [f"lens.far={float(far)}"])
+            assert variant.question.is_done(variant.here, tried) == is_done
+
+
+def test_l24_the_posts_that_the_text_names_are_outlined() -> None:
+    (path,) = CONTENT.glob("l24-*.md")
+    course = Course(read(path))
+    here = course.at(0)
+    asked = here.step.asked[0]
+    scene, document = load("focus"), here.shown_by(asked.show)
+    lines = scene.illustration(document.projection, document.settings).image.lines
+    assert "those at 5 m and 6 m are outlined" in asked.why and len(lines) == 4 * 2
 
 
 WIDE = {"eyes"}

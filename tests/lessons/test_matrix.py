@@ -107,6 +107,8 @@ def test_the_solution_has_letters_then_numbers_then_values() -> None:
     with pytest.raises(Refusal, match="must be a row and a column"):
         question("Where?\nmatrix: near, 1\nfirst: 3\n")
     assert question(VECTOR)[0].solution(here) == ""
+    assert asked.printed(["1", "2", "-1", "2"]) == "1, 2; -1, 2"
+    assert asked.printed(["0,5", "2", "-1", "2"]) == "0,5 | 2; -1 | 2"
     assert "| 30.25 |" in asked.with_answer(question(VECTOR)[0].answer_text(here, "{:g}".format))
 
 

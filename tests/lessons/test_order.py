@@ -146,6 +146,13 @@ def test_the_key_has_each_right_order_and_a_sheet_leaves_room_for_numbers() -> N
         ("order view: rotate z 1; translate 1,0,0", "lens.near=1", "another view_from_world"),
         ("order object: rotate z; mirror x", "lens.near=1", "numbers after rotate z, 1 in all"),
         ("order: M_qq; view", "lens.near=1", "no matrix 'M_qq'"),
+        (
+            "order: view; divide\ntiles: veiw; view; divide",
+            "",
+            "line 11, answer = 'veiw': must name",
+        ),
+        ("order: view; xyz/w\ntiles: view; divide", "", "line 11 needs xyz/w among its tiles"),
+        ("order: mirror x; mirror x; view\ntiles: mirror x; view", "", "needs mirror x among"),
         ("order view: rotation; translation\nvalue: 3", "lens.near=1", "keep one of"),
         (f"order: {'; '.join(['rotate z 1', 'rotate x 1'] * 4)}", "", "at most 6 tiles, but has 8"),
         (

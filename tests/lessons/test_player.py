@@ -135,7 +135,7 @@ def test_an_answer_is_marked_recorded_and_kept_once_it_is_right() -> None:
     assert wide.give_hint() == "Take the tangent." and wide.hints == ("Of half the angle.",)
     assert wide.submit("120").idea == "angle-linear" and wide.is_open
     assert wide.give_hint() and not wide.give_hint() and wide.hints_read == 2
-    assert wide.submit("98,2°").right and not wide.is_open
+    assert wide.submit("98,2°\n").right and not wide.is_open, "a cell of a spreadsheet"
     half.reveal_answer()
     assert not which.submit("2").right and which.is_open and which.submit("1").right
     assert logged(player) == [
@@ -143,7 +143,7 @@ def test_an_answer_is_marked_recorded_and_kept_once_it_is_right() -> None:
         ("", "shown", "", 0), ("2", "wrong", "", 0), ("1", "right", "", 0),
     ], "what costs no try is no answer"  # fmt: skip
     assert player.progress.answers == {
-        "numbers/wide": "98,2°", "numbers/half": REVEALED, "numbers/which": "1"
+        "numbers/wide": "98,2°\n", "numbers/half": REVEALED, "numbers/which": "1"
     }  # fmt: skip
 
 
@@ -298,7 +298,7 @@ def test_a_test_is_handed_in_and_marked_at_its_end() -> None:
     assert player.is_test and not wide.hints and wide.seed == 4 and wide.hides
     with pytest.raises(Refusal):
         wide.submit("what")
-    assert wide.submit("1").word == "wrong" and not wide.is_open and wide.hides
+    assert wide.submit("\t1\n").word == "wrong" and not wide.is_open and wide.hides
     again = Player(player.course)
     again.progress = player.progress
     assert begun(again).blocks[0].answer == "1", "it is gone on with"

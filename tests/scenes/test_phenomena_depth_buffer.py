@@ -88,6 +88,31 @@ def test_the_share_matches_rays_cut_with_the_ramp() -> None:
     assert between >= 20
 
 
+def test_the_share_that_the_text_names_is_that_of_a_million_rays_and_has_no_digit_more() -> None:
+    """Rays of 45 degrees from (3, 7, 15), cut with both ramps here, without the scene's code."""
+    eye, rng = np.array([3.0, 7.0, 15.0]), np.random.default_rng(3)
+    n = (eye - (0.0, 1.5, -8.0)) / np.linalg.norm(eye - (0.0, 1.5, -8.0))
+    u = np.cross((0.0, 1.0, 0.0), n) / np.linalg.norm(np.cross((0.0, 1.0, 0.0), n))
+    x, y = rng.uniform(-1.0, 1.0, (2, 2_000_000)) * math.tan(math.pi / 8)
+    rays = np.outer(x * 16 / 9, u) + np.outer(y, np.cross(n, u)) - n
+    across, along = np.array([10.0, 0.0, 0.0]), np.array([0.0, 6.0, -48.0])
+    m = np.cross(across, along)
+    aside = np.cross(m, n)
+    corner, w, inside = np.array([-5.0, 0.0, 4.0]), [], np.ones(len(rays), bool)
+    for moved in (0.0 * n, 3.0 * aside / np.linalg.norm(aside) - 0.25 * n):
+        w.append(((corner + moved - eye) @ m) / (rays @ m))
+        place = eye + w[-1][:, None] * rays - corner - moved
+        for side in (across, along):
+            inside &= (place @ side >= 0.0) & (place @ side <= side @ side)
+    for near, far, said in ((0.01, 200.0, 63), (0.1, 200.0, 0), (0.01, 60.0, 63)):
+        seen = inside & (np.maximum(*w) <= far)
+        one, other = (np.rint(65535 * far / (far - near) * (1 - near / each[seen])) for each in w)
+        share = 100.0 * np.mean(one == other)
+        assert abs(share - said) < 0.5 and f"{said} %" in PHENOMENON.words.explanation
+        seen_by = replace(PHENOMENON.start, lens=Perspective(45.0, near, far))
+        assert shown(seen_by).readings[0].value == said
+
+
 def test_l17_the_smallest_gap_at_the_target_is_the_lectures() -> None:
     """w^2/(n 2^24) for 24 bits and far >> near; the same for 16; none beyond far."""
     camera = Camera((0.0, 6.0, 12.0), (0.0, 2.0, -10.0), (0.0, 1.0, 0.0))

@@ -8,7 +8,15 @@ import numpy as np
 import pytest
 
 from app.model.lenses.perspective import focal_length_35mm
-from app.model.projection import Camera, Frustum, Oblique, Orthographic, Perspective, Projection
+from app.model.projection import (
+    Camera,
+    Frustum,
+    Oblique,
+    Orbit,
+    Orthographic,
+    Perspective,
+    Projection,
+)
 from app.scenes.phenomena.focus import PHENOMENON, blur_mm, sharpness
 from app.scenes.phenomena.illustration import OwnMesh, Subject
 from app.scenes.phenomena.marks import Aperture
@@ -115,6 +123,29 @@ def test_l24_by_hand() -> None:
     at_h = readings(show(projection, focus=50.06, aperture=2.0, confusion=0.025))
     assert at_h["sharp to"] is None
     assert at_h["sharp from"] == pytest.approx(25.03, rel=1e-3)
+
+
+def test_a_target_in_focus_has_no_disc_from_whichever_side_it_is_seen() -> None:
+    for elevation_deg in range(-60, 61, 5):
+        camera = Camera.from_orbit((-1.6, 0.5, 1.8), Orbit(45.0, elevation_deg, 5.0))
+        found = show(Projection(camera, Perspective(28.0, 1.7, 22.0)), focus=5.0)
+        assert readings(found)["blur of the target"] == 0.0
+
+
+@pytest.mark.parametrize("fov", [1e-4, 1e-2, 1.0, 28.0])
+def test_what_is_sharp_is_as_deep_as_its_limits_are_apart_to_the_last_digits(fov: float) -> None:
+    f_mm = float(mp.hypot(36, 24) / 2 / mp.tan(mp.radians(fov) / 2) / mp.hypot(1, mp.mpf(9) / 16))
+    f_mm *= 9 / 16  # the angle is the vertical one
+    focus = 1.5e-3 * f_mm
+    found = readings(
+        show(Projection(EYE, Perspective(fov)), focus=focus, aperture=0.5, confusion=1e-6)
+    )
+    f, s = mp.mpf(found["focal length f"]) / 1000, mp.mpf(focus)
+    assert float(f) == pytest.approx(f_mm / 1000)
+    q = (s - f) * mp.mpf(0.5) * mp.mpf(1e-6) / 1000 / f**2
+    assert found["depth of field"] == pytest.approx(
+        float(s / (1 - q) - s / (1 + q)), rel=1e-12, abs=0.0
+    )
 
 
 def test_in_a_stretched_picture_the_disc_has_a_width_and_a_height() -> None:

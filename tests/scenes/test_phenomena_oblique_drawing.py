@@ -143,6 +143,26 @@ def test_that_no_scale_can_be_read_has_its_own_reason() -> None:
         assert found.value is None and found.note is not None and said in found.note.template
 
 
+@pytest.mark.parametrize("scale", [1e-9, 1e-3, 1e3, 1e6, 1e9, 1e11, 1e13])
+def test_a_window_of_any_size_stretches_nothing(scale: float) -> None:
+    """A cavalier's edges have the scale 1 to four digits, or are too short to be measured."""
+    lens = PHENOMENON.start.lens
+    sides = {side: scale * getattr(lens, side) for side in ("left", "right", "bottom", "top")}
+    found = reading(shown(replace(PHENOMENON.start, lens=replace(lens, **sides))), "receding scale")
+    if found.value is None:
+        assert scale > 1e6 and found.note is not None and "too few" in found.note.template
+    else:
+        assert found.note is None and found.value == pytest.approx(1.0, abs=5e-5)
+
+
+def test_an_orthographic_lens_draws_receding_edges_with_no_length_at_all() -> None:
+    dice = random.Random(13)
+    for _ in range(100):
+        eye, target = (tuple(round(dice.uniform(-9, 9), 1) for _ in range(3)) for _ in range(2))
+        seen = replace(PHENOMENON.start, camera=Camera(eye, target)).with_lens("orthographic")
+        assert value(shown(seen), "receding scale") == 0.0
+
+
 def test_the_plane_through_the_target_stays() -> None:
     plane = np.array([(x, y, 0.0) for x in (-1.0, 1.0) for y in (0.0, 2.0)])
     image = PHENOMENON.start.trace(plane).image

@@ -104,6 +104,16 @@ def test_shadow_and_count_are_the_ray_s() -> None:
     assert min(seen.values()) >= 3
 
 
+@pytest.mark.parametrize("tenths", range(41))
+def test_a_vertex_as_high_as_the_lamp_has_no_shadow_on_any_plane(tenths: int) -> None:
+    for light_y in (1.0, 2.0, 4.0):
+        illustration = show(kind="point", light=(-4.0, light_y, 3.0), height=-tenths / 10)
+        assert value(illustration, HIGH) == np.count_nonzero(SUBJECT.points[:, 1] >= light_y)
+        place, shadow = value(illustration, "vertex P"), value(illustration, "its shadow S·P / w")
+        assert place[1] == light_y - 1.0  # the letter is made of cubes
+        assert shadow == pytest.approx(met((-4.0, light_y, 3.0, 1.0), -tenths / 10, place))
+
+
 @pytest.mark.parametrize("kind", ["point", "sun"])
 def test_l19_s_matches_the_formula_beside_it(kind: str) -> None:
     """From the numbers in the sentence alone: (p L) I - L p^T."""

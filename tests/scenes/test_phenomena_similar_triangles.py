@@ -1,6 +1,7 @@
 """Similar triangles: x_p, y_p, scale and sign against the formula, and what cannot be cut."""
 
 import math
+import random
 from dataclasses import replace
 from typing import Any
 
@@ -95,6 +96,15 @@ def test_marked_points_lie_on_the_plane_and_on_their_projectors(distance: float)
     trace = START.trace(place)
     assert illustration.image.dots[0].point.tolist() == trace.image.tolist()
     assert illustration.ndc.dots[0].point.tolist() == trace.ndc.tolist()
+
+
+def test_a_point_on_the_axis_has_its_image_on_the_axis_to_the_last_bit() -> None:
+    """The target, from cameras whose frames are no decimal numbers."""
+    dice = random.Random(4)
+    for _ in range(100):
+        eye, target = (tuple(round(dice.uniform(-9, 9), 1) for _ in range(3)) for _ in range(2))
+        found = readings(show(replace(START, camera=Camera(eye, target)), point=target))
+        assert found["x_p = d·x / −z"] == found["y_p = d·y / −z"] == 0.0
 
 
 def test_a_point_outside_the_view_volume_is_marked_in_the_world_only() -> None:

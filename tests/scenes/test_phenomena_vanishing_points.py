@@ -158,6 +158,18 @@ def test_the_running_point_goes_to_the_vanishing_point() -> None:
     assert converged > 10
 
 
+@pytest.mark.parametrize("axis", AXES)
+def test_at_infinity_the_running_point_is_at_its_vanishing_point_to_the_last_bit(
+    axis: str,
+) -> None:
+    target = PHENOMENON.start.camera.target
+    for azimuth_deg in range(-170, 171, 7):
+        camera = Camera.from_orbit(target, Orbit(azimuth_deg, 10.0, 6.0))
+        illustration = shown(replace(PHENOMENON.start, camera=camera), edge=axis, t=1.0)
+        assert pixel(illustration, "image of P") == pixel(illustration, f"along {axis}")
+        assert reading(illustration, "from P to V").value == 0.0
+
+
 def test_the_running_point_has_the_pixel_of_its_world_point() -> None:
     """While it is in front; from infinity on it comes from behind, and goes on beyond V."""
     seen = turned("2")

@@ -55,6 +55,16 @@ def test_a_floor_to_a_thousand_is_drawn_as_much_too_far_as_the_lesson_says(
         assert float(factor(r, s)) == pytest.approx(most, rel=1e-12)
 
 
+def test_an_eye_in_the_wall_s_own_plane_moves_no_vertex_of_the_wall() -> None:
+    """They have w = 0, and no logarithm."""
+    illustration = shown(replace(START, camera=Camera((0.0, 1.7, 0.0), (0.0, 1.7, -10.0))))
+    assert illustration.vertices is not None
+    stored, projected = illustration.vertices.stored, illustration.vertices.projected
+    in_plane = (np.arange(len(stored)) >= FLOOR) & (stored[:, 2] == 0.0)
+    assert in_plane.sum() >= 4 and np.isfinite(projected).all()
+    assert (projected[in_plane] == stored[in_plane]).all()
+
+
 def floor_of(illustration: Illustration) -> Array:
     """The middle of the floor's borders as the picture draws them."""
     assert illustration.vertices is not None

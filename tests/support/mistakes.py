@@ -78,6 +78,8 @@ MISTAKES = {
     "a picture": ("The angle", "![F](f.png) The angle", "a picture or a link"),
     "a link": ("Drag it.", "See [this](http://a.b).", "a picture or a link"),
     "has HTML": ("Drag it.", "<b>Drag</b> it.", "has HTML"),
+    "a comment in HTML": ("Drag it.", "Drag it. <!-- why -->", "has HTML"),
+    "a formula without an exercise": ("Drag it.", "Drag {=a} of it.", "that only an exercise"),
     "an unknown kind of block": ("```task", "```tsak", "unknown kind of block, tsak"),
     "a block that is not closed": ("Drag it.\n```", "Drag it.", "is not closed"),
     "two blocks of a name": ("answer scale", "answer angle", "repeats the name of line"),

@@ -32,6 +32,7 @@ from tests.support.drawings import figure_of
 from tests.support.window import MakeWindow, click, counted_repaints, edit, pixels, settle, turn
 from widgets.parts.icons import Combo
 from widgets.window.export_dialog import ExportDialog
+from widgets.window.lesson_card import TOUR
 from widgets.window.main_window import MainWindow
 from widgets.window.pictures import Pictures
 from widgets.window.settings import data_folder
@@ -210,9 +211,16 @@ def test_unsaved_work_is_undone_to_and_is_in_recovery_meanwhile(
     assert not window.isWindowModified() and window.windowTitle().startswith("prepared.json")
     (copy,) = data_folder().glob("autosave-*.json")
     assert read(copy) == work
-    window.history.undo()
+    window.menus.undo.trigger()
     assert window.store.document == work and window.isWindowModified()
     assert window.files.path == mine and window.windowTitle().startswith("mine.json")
+    assert window.status.currentMessage() == "", "it is brought back"
+    window.lesson_card.open(TOUR)
+    said = "Close the lesson, and Undo brings back the unsaved changes to mine.json."
+    assert window.status.currentMessage() == said and not window.menus.undo.isEnabled()
+    window.lesson_card.leave()
+    window.history.undo()
+    assert window.store.document == work
     assert window.files.save(), "and not over the file that was opened meanwhile"
     assert read(mine) == work and read(prepared).scene == "cube"
     window.recovery.autosave.save_now()

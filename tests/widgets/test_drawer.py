@@ -6,14 +6,21 @@ from dataclasses import replace
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QAbstractScrollArea, QLabel, QScrollArea, QToolButton
+from PySide6.QtWidgets import (
+    QAbstractScrollArea,
+    QApplication,
+    QComboBox,
+    QLabel,
+    QScrollArea,
+    QToolButton,
+)
 from pytestqt.qtbot import QtBot
 
 from app.document.document import Document
 from app.document.view import View
 from app.model.projection import Perspective
 from app.scenes.scene import load
-from tests.support.window import click, drag, settle, show_scene
+from tests.support.window import activate, click, drag, settle, show_scene
 from widgets.parts.panel import EVERYTHING, Changed, Panel, ShownData
 from widgets.window.drawer import REST_MS, Panels
 from widgets.window.main_window import MainWindow
@@ -207,3 +214,19 @@ def test_an_open_panel_grows_with_its_content_and_does_not_jump(
         window.frame_panel.go_to(step)
         QTest.qWait(REST_MS + 20)
         assert window.panels.height() == high
+
+
+def test_a_panel_that_a_click_closes_leaves_the_focus_at_its_name(window: MainWindow) -> None:
+    """It went to the choice of lenses, where an arrow key changes the model."""
+    activate(window)
+    for panel, following in ((window.matrices, None), (window.matrices, window.probe_panel)):
+        window.panels.open(panel)
+        panel.findChild(QComboBox).setFocus()
+        clicked = head(window, following or panel)
+        click(clicked)
+        assert window.panels.open_panel is following
+        assert QApplication.focusWidget() is clicked
+    window.panels.open(window.matrices)
+    window.matrices.findChild(QComboBox).setFocus()
+    window.panels.open(None)
+    assert QApplication.focusWidget() is head(window, window.matrices), "also if a lesson closes it"

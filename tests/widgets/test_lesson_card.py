@@ -1225,6 +1225,7 @@ def test_every_response_is_seen_whole_and_announced(
 
 @pytest.mark.undrawn
 def test_a_screen_reader_meets_a_document_and_tabs(window: MainWindow, lesson: Path) -> None:
+    activate(window)
     card = window.lesson_card
     card.open(lesson)
     role_of = QAccessible.queryAccessibleInterface
@@ -1236,6 +1237,11 @@ def test_a_screen_reader_meets_a_document_and_tabs(window: MainWindow, lesson: P
     tabs = [role_of(mark) for mark in marks.findChildren(QToolButton)]
     assert [tab.role() for tab in tabs] == [QAccessible.Role.PageTab] * 4
     assert [tab.state().selected for tab in tabs] == [1, 0, 0, 0]
+    for mark in marks.findChildren(QToolButton)[:2]:
+        mark.setFocus()
+        seen_with_focus = mark.grab().toImage()
+        mark.clearFocus()
+        assert mark.grab().toImage() != seen_with_focus
     assert "Practice" not in texts(card)
     assert tabs[1].text(QAccessible.Text.Name) == "Step 2: By hand"
     window.lessons.go(1)
@@ -1317,3 +1323,24 @@ def test_nothing_that_a_step_needs_is_below_the_fold(window: MainWindow, number:
             assert page.widget().height() <= page.viewport().height() + 1, where
             answers = [*page.findChildren(QLineEdit), *page.findChildren(QPushButton)]
             assert all(is_in_view(page, each) for each in answers if each.isVisible()), where
+
+
+@pytest.mark.undrawn
+def test_a_step_that_is_done_moves_no_mark_and_widens_nothing(window: MainWindow) -> None:
+    card = window.lesson_card
+    card.open(CONTENT / "l01-camera-frame.md")
+    settle()
+    marks = card.findChild(QWidget, "stepMarks").findChildren(QToolButton)
+
+    def widths() -> list[int]:
+        return [*(mark.width() for mark in marks), card.minimumSizeHint().width(), card.width()]
+
+    before, player = widths(), window.lessons.player
+    assert player is not None
+    for step in player.lesson.steps:
+        for name in [part.name for part in step.asked] or [""]:
+            player.keep_answer(f"{step.name}/{name}", DONE)
+    window.lessons.go(1)
+    settle()
+    assert [mark.text() for mark in marks[:3]] == ["✓", "2", "✓"]
+    assert widths() == before

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLabel, QLineEdit, QToolButton
+from PySide6.QtWidgets import QApplication, QLabel, QLineEdit, QToolButton
 
 from app.document.document import Document
 from app.document.files import write
@@ -464,3 +464,16 @@ def test_l2_axes_and_handles_are_there_before_anything_is_moved(window: MainWind
     assert not held() and not window.panes["world"].drawing.handles.has_object
     show_scene(window, "cube")
     assert held()
+
+
+@pytest.mark.undrawn
+def test_the_focus_stays_among_the_tiles_when_one_is_removed(window: MainWindow) -> None:
+    editor = build(window, "translate 3,0,0; rotate z 90; scale 2,1,1")
+    activate(window)
+    for _ in range(2):
+        away = editor.cards[1].findChildren(QToolButton)[-1]
+        away.setFocus()
+        QTest.keyClick(away, Qt.Key.Key_Space)
+        settle()
+        focus = QApplication.focusWidget()
+        assert focus is not None and editor.tiles.isAncestorOf(focus) and focus.isVisible()

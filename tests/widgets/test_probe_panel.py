@@ -13,7 +13,7 @@ import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QToolButton
+from PySide6.QtWidgets import QApplication, QPushButton, QToolButton
 from pytestqt.qtbot import QtBot
 
 from app.commands import cli
@@ -768,3 +768,22 @@ def test_a_distance_of_a_chart_opens_the_depth_buffer_there(window: MainWindow) 
     assert document.projection.camera.distance == pytest.approx(20.0)
     assert document.projection.lens.far == 300.0
     assert document.projection.camera.target == load("depth-buffer").start.camera.target
+
+
+@pytest.mark.undrawn
+def test_the_focus_stays_in_the_panel_when_the_last_probe_is_removed(window: MainWindow) -> None:
+    """It went to the choice of lenses, where an arrow key changes the model."""
+    activate(window)
+    panel = window.probe_panel
+    window.panels.open(panel)
+    for name in ("Remove", "Clear"):
+        panel.follow(point=CORNER)
+        button = next(each for each in panel.findChildren(QPushButton) if each.text() == name)
+        button.setFocus()
+        QTest.keyClick(button, Qt.Key.Key_Space)
+        assert not panel.probes and QApplication.focusWidget() is panel.fields[-1], name
+    panel.follow(point=CORNER)
+    settle()
+    panel.table.setFocus()
+    QTest.keyClick(panel.table, Qt.Key.Key_Escape)
+    assert not panel.probes and QApplication.focusWidget() is panel.fields[-1]

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QCheckBox, QToolButton
+from PySide6.QtWidgets import QApplication, QCheckBox, QToolButton
 
 from app.document.document import Document
 from app.document.files import write
@@ -15,7 +15,7 @@ from app.lessons.player import Progress
 from app.scenes.scene import BUILT_IN, load
 from tests.pictures import MOST_DIFFERENT, different, draw_tile
 from tests.support.layout import cut, overlapping
-from tests.support.window import MakeWindow, click, settle
+from tests.support.window import MakeWindow, activate, click, settle
 from widgets.window import start_card
 from widgets.window.main_window import MainWindow
 from widgets.window.settings import Settings
@@ -161,3 +161,12 @@ def test_lessons_talks_and_the_tour_open_from_it(window: MainWindow) -> None:
     QTest.mouseClick(button(opened(window), "Two-minute tour"), Qt.MouseButton.LeftButton)
     assert is_gone(window)
     assert window.lessons.lesson is not None and len(window.lessons.lesson.steps) == 6
+
+
+@pytest.mark.undrawn
+def test_tab_goes_round_the_card_and_not_under_it(window: MainWindow) -> None:
+    activate(window)
+    card = opened(window)
+    for key in (Qt.Key.Key_Backtab, *(Qt.Key.Key_Tab,) * (len(card.findChildren(QToolButton)) + 2)):
+        QTest.keyClick(QApplication.focusWidget(), key)
+        assert card.isAncestorOf(QApplication.focusWidget())

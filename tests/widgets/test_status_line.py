@@ -1,6 +1,7 @@
 """The status line: predictions when the hand rests, silence when all is well."""
 
 import math
+import re
 from dataclasses import replace
 from typing import Any
 
@@ -8,6 +9,7 @@ import pytest
 from PySide6.QtCore import QLocale, QTimer
 from pytestqt.qtbot import QtBot
 
+from app import languages
 from app.document.document import Document
 from app.drawings.scene_place import predictions
 from app.model.projection import Camera, Perspective, Projection
@@ -54,18 +56,37 @@ def test_precisions_are_predicted_when_the_input_stops(
     assert found is not None
     drawn = drawing_bound_px(EVERYDAY, scene.boxes.together, scene.origin)
     read = found["float64"].px
-    assert line.precision.text() == f"drawn float32 ±{drawn:.1g} px, read float64 ±{read:.1g} px"
+    shown = re.fullmatch(r"drawn float32 ±(\S+) px, read float64 ±(\S+) px", line.precision.text())
+    assert shown is not None
+    for bound, text in zip((drawn, read), shown.groups(), strict=True):
+        assert bound <= float(text) <= 2.0 * bound  # one digit, rounded up
     assert line.health.text() == "" and line.health.toolTip() == ""
     line.precision.menu().aboutToShow.emit()
     texts = [action.text() for action in line.precision.menu().actions()]
     assert [text.split(":")[0] for text in texts[:3]] == ["float32", "float64", "exact"]
     assert texts[0].endswith("(drawn)") and texts[1].endswith("(read)")
-    assert f"{found['float32'].px:.2g} px" in texts[0]
+    of_32 = re.search(r"up to (\S+) px, (\S+) in depth", texts[0])
+    assert of_32 is not None
+    for bound, text in zip(found["float32"], of_32.groups(), strict=True):
+        assert bound <= float(text) <= 1.1 * bound  # two digits
     assert texts[-1] == "Drawing tolerance 0.01 px…"
     # Whatever computes it, a rasteriser is handed float32: 1280 px in 24 bits.
     line.show_quality(Quality(rung="float64"), [])
     rested(qtbot, line, replace(EVERYDAY, image_size=(1280, 720)), scene)
     assert line.precision.text().startswith("drawn float64 ±8e-05 px, read float64 ±")
+
+
+def test_the_figure_of_a_risk_has_the_language_s_decimal_comma(
+    qtbot: QtBot, line: StatusLine, scene: Scene
+) -> None:
+    languages.choose("hr")
+    try:
+        far_off = replace(EVERYDAY, lens=Perspective(45.0, 1.3e-5, math.inf))
+        rested(qtbot, line, far_off, scene)
+        assert re.search(r"\d,\d", line.health.toolTip())
+        assert not re.search(r"\d\.\d", line.health.toolTip())
+    finally:
+        languages.choose(languages.ENGLISH)
 
 
 def test_an_error_without_a_bound_is_reported_in_a_sentence(

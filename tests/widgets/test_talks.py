@@ -14,7 +14,7 @@ import pytest
 from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRect, QRectF, QSize, Qt, QTimer
 from PySide6.QtGui import QGuiApplication, QKeySequence, QTextDocument, QWheelEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLabel, QWidget
+from PySide6.QtWidgets import QApplication, QLabel, QLineEdit, QWidget
 
 from app.document.codec import to_json
 from app.document.document import Document
@@ -627,6 +627,10 @@ def test_the_speakers_window(window: MainWindow) -> None:
     window.talks.open_speaker()
     speaker = window.talks.speaker
     assert speaker is not None and speaker.isVisible() and speaker.isWindow()
+    activate(speaker)
+    for presents in (False, True):
+        QTest.keyClick(speaker, Qt.Key.Key_F5)
+        assert window.present.is_on is presents
     assert is_asked(window)
     assert "Only the speaker reads this." in speaker.notes.toPlainText()
     assert "Next: A vote" in read_on(speaker)
@@ -1471,3 +1475,20 @@ def test_a_talk_that_was_closed_at_its_end_opens_at_the_beginning(
         window.lesson_card.leave()
         assert window.lesson_card.open(talk)
         assert window.lessons.place == opens
+
+
+@pytest.mark.parametrize("place", [2, 7])
+def test_a_control_that_goes_with_its_step_leaves_no_frame_on_the_slide(
+    make_window: MakeWindow, place: int
+) -> None:
+    window = make_window(Document("cube"))
+    window.lesson_card.open(CONTENT / "talk-000.md")
+    present(window)
+    activate(window)
+    go_to(window.lessons, place)
+    window.control_strip.findChild(QLineEdit).setFocus()
+    while window.lessons.place == place:
+        QTest.keyClick(QApplication.focusWidget(), PAGE_DOWN)
+    arrive(window.lessons)
+    settle()
+    assert QApplication.focusWidget() is window

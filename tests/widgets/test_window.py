@@ -976,6 +976,10 @@ def test_a_killed_process_leaves_its_work_to_the_next(make_window: MakeWindow) -
     assert window.recovery.autosave.orphans() == []
     assert list(folder.iterdir()) == own
     run(DIES)
+    other = make_window(Document("cube"))
+    activate(other)
+    assert other.messages.choices, "it is offered"
+    assert other.panes["world"].canvas.hasFocus(), "but Esc or Space dismisses it in the bar alone"
     window.recovery.offer()
     window.messages.choices[0].click()
     assert window.store.document.scene == "posts"

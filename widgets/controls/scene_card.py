@@ -27,7 +27,7 @@ from widgets.controls.parameter_rows import SettingMotion, make_row
 from widgets.controls.readout import Readout, full_sentence
 from widgets.parts.fields import ChoiceRow, Row, RowHolder, report_highlight
 from widgets.parts.labels import Balanced, RefusalLabel
-from widgets.parts.layouts import FREE, discard, in_column, in_row, tool_button
+from widgets.parts.layouts import FREE, LetteredWidget, discard, in_column, in_row, tool_button
 from widgets.parts.messages import all_digits, breakable, of_phenomena, read_text, sentence
 from widgets.parts.number_rows import NumberRow
 from widgets.parts.panel import Changed, Readable, ShownData
@@ -41,7 +41,7 @@ LONGEST_LINE = 32  # most letters of the names of compared pictures on one line 
 TITLE = 1.25  # size of the scene's name, relative to ordinary text
 
 
-class SceneCard(QWidget, RowHolder):
+class SceneCard(LetteredWidget, QWidget, RowHolder):
     """Title, what to try, settings and readout of the scene, one below the other.
 
     `rows` and `motions` have the names of the settings as keys.
@@ -54,7 +54,7 @@ class SceneCard(QWidget, RowHolder):
 
     def __init__(self) -> None:
         super().__init__()
-        self.rows = {}  # first: adding a child already changes the font
+        self.rows, self.title = {}, Balanced(name=True)  # first: a child already changes the font
         self._phenomenon: Phenomenon | None = None
         self._settings: Settings = {}
         self._illustration: Illustration | None = None
@@ -73,7 +73,7 @@ class SceneCard(QWidget, RowHolder):
         self.readable = Readable(self, self._fill, lambda: self._is_seen)
         all_digits.changed.connect(self.readable.changed)
 
-        self.title, self.tries = Balanced(name=True), Balanced()
+        self.tries = Balanced()
         self.warning = RefusalLabel()
         self.readout = Readout()
         self.readout.highlighted.connect(partial(self.highlighted.emit, "reading"))
@@ -88,7 +88,7 @@ class SceneCard(QWidget, RowHolder):
             in_row(self.explanation, self.use_mesh, FREE, gap=4), in_row(self.remove_mesh, FREE),
             on=self, margins=(0, 0, 0, GAP_PX), gap=GAP_PX,
         )  # fmt: skip
-        self._dress()
+        self._fit()
 
     # -- set by the owner
 
@@ -387,13 +387,8 @@ class SceneCard(QWidget, RowHolder):
                 return True
         return False
 
-    def _dress(self) -> None:
+    def _fit(self) -> None:
         """Set the size of the name with a style sheet, because a theme would reset a font."""
         sheet = f"font-size: {TITLE * self.font().pointSizeF():g}pt; font-weight: 600;"
         if sheet != self.title.styleSheet():
             self.title.setStyleSheet(sheet)
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.FontChange and hasattr(self, "title"):
-            self._dress()

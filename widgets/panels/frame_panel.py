@@ -143,7 +143,7 @@ class FramePanel(LetteredWidget, Panel):
         name, tip, unit = WORDS["angle"]
         self.angle = NumberRow(name, tip, Linear(0.0, 180.0, 1.0), "°", unit)
         self.angle.setDefault(90.0)
-        self.angle.edited.connect(self._turn)
+        self.angle.edited.connect(lambda deg: self._offer(lambda camera: turned_up(camera, deg)))
         self.pass_on(self.angle)
         self.angle.highlighted.connect(
             lambda is_at: self.highlighted.emit(_UP if is_at else NOTHING)
@@ -271,9 +271,6 @@ class FramePanel(LetteredWidget, Panel):
         for control in (self.angle, self.nudge):
             control.setEnabled(not typed)  # up's error would not turn anything
         self.warning.setText(text)
-
-    def _turn(self, angle_deg: float) -> None:
-        self._offer(lambda camera: turned_up(camera, angle_deg))
 
     def _nudge(self) -> None:
         self.angle.finish_gesture()

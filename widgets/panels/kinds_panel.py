@@ -16,7 +16,7 @@ from app.lecture.kinds import KINDS, ProjectionKind, kind_of, path, scale_factor
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import Refusal
 from app.scenes.shapes import box_faces
-from widgets.parts.layouts import RING_PX, LetteredWidget, in_column
+from widgets.parts.layouts import RING_PX, FittedWidget, LetteredWidget, in_column
 from widgets.parts.messages import of_phenomena, read_text, sentence
 from widgets.parts.panel import PROJECTION, Changed, ReadablePanel, ShownData, faded
 from widgets.parts.plain import PlainLabel
@@ -155,7 +155,7 @@ class _Node(QAbstractButton):
         return done
 
 
-class _Tree(QWidget):
+class _Tree(FittedWidget, LetteredWidget, QWidget):
     """The nodes, level below level, and the lines between them; the leaves stand in one row."""
 
     def __init__(self) -> None:
@@ -176,11 +176,7 @@ class _Tree(QWidget):
     def sizeHint(self) -> QSize:
         return self.minimumSizeHint()
 
-    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self.place()
-
-    def place(self) -> None:
+    def _fit(self) -> None:
         inner = max(
             node.sizeHint().height() for name, node in self.nodes.items() if name not in self.leaves
         )
@@ -242,7 +238,6 @@ class KindsPanel(LetteredWidget, ReadablePanel):
     def _fit(self) -> None:
         """Reserve two lines under the tree, so that it does not jump."""
         self.condition.setFixedHeight(2 * self.fontMetrics().lineSpacing() + 2)
-        self._tree.place()
 
     def take(self, shown: ShownData, changed: Changed) -> None:
         self._shown = shown

@@ -293,9 +293,7 @@ class StageStrip(FittedWidget, QWidget, Playing):
             self.slider.setValue(stop)  # calls this method again
             return
         if value != self.position * STEPS:
-            self.position = value / STEPS
-            self._show_stop()
-            self.moved.emit(self.position)
+            self._stand_at(value / STEPS)
 
     def _grasped(self) -> None:
         self._before = self.position

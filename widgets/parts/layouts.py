@@ -64,7 +64,7 @@ class LetteredWidget(OfWidget):
 
 
 def focus_next(window: QWidget, forwards: bool) -> bool:
-    """Move the focus to the next or previous widget; return False if there is no other one."""
+    """Move the focus on or back, or from what goes to what is near; return False if it stays."""
     focus, reasons = QApplication.focusWidget(), Qt.FocusReason
     stops = [
         widget
@@ -75,14 +75,19 @@ def focus_next(window: QWidget, forwards: bool) -> bool:
         stops.reverse()
     at = stops.index(focus) if focus in stops else -1
     following = next((widget for widget in stops[at + 1 :] + stops[: at + 1]), focus)
+    around = focus if focus and not (focus.isVisible() and focus.isEnabled()) else None
+    while (around := around and around.parentWidget()) and not isinstance(around, QSplitter):
+        near = [each for each in stops[at + 1 :] + stops[:at][::-1] if around.isAncestorOf(each)]
+        if near:
+            following = near[0]
+            break
     if following is None or following is focus:
         return False
     following.setFocus(reasons.TabFocusReason if forwards else reasons.BacktabFocusReason)
-    area = following.parentWidget()
-    while area is not None:
+    area: QWidget | None = following
+    while area and (area := area.parentWidget()):
         if isinstance(area, QScrollArea):
             area.ensureWidgetVisible(following)
-        area = area.parentWidget()
     return True
 
 

@@ -7,7 +7,6 @@ message bar is a strip across the window with one sentence, and buttons that act
 """
 
 import math
-import numbers
 import re
 from collections.abc import Callable
 from functools import partial
@@ -23,7 +22,7 @@ from app.lecture.letters import Letters, in_letters
 from app.model.limits import OTHER_SIDE
 from app.model.parameter import Parameter
 from app.model.parameters import TITLES
-from app.model.refusal import REFUSALS, Refusal, format_value
+from app.model.refusal import REFUSALS, Refusal, format_value, is_number
 from widgets.parts.labels import WarningLabel
 from widgets.parts.layouts import in_row, push_button, tool_button
 
@@ -83,9 +82,7 @@ def number_text(value: object) -> str:
 def _value_text(value: object) -> str:
     if isinstance(value, str):
         return f"“{value if len(value) <= 40 else value[:37] + '...'}”"
-    if isinstance(value, numbers.Real) and not isinstance(value, bool):
-        return number_text(value)
-    return format_value(value)
+    return number_text(value) if is_number(value) else format_value(value)
 
 
 def figure_text(value: float, digits: int = 6) -> str:

@@ -23,9 +23,10 @@ class MovableColumn(QWidget):
 
     def show_parts(self, parts: Sequence[QWidget]) -> None:
         before, self.parts = self.parts, [*parts]
-        discard(self._column, before)
         for part in parts:
             self._column.addWidget(part)
+            part.show()  # before the others go: one of them may take the focus
+        discard(self._column, before)
 
     def move_part(self, part: QWidget, to: int) -> None:
         """Show a part at another place, scrolled into view, without a signal."""

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from typing import NamedTuple
 
-from PySide6.QtCore import QCoreApplication, QLineF, QPointF, QRectF, QSizeF
+from PySide6.QtCore import QCoreApplication, QLineF, QPointF, QRectF
 from PySide6.QtGui import QColor, QPainter, QPen
 
 from app.document.document import Document
@@ -90,12 +90,12 @@ def exam(name: str, seed: int, exercises: Sequence[Numbered], check: Callable[[]
             parts, y = pages[number - 1], 0.0
             room = height - sum(part.height + BETWEEN_STEPS_PT for part in parts) + BETWEEN_STEPS_PT
             if number == 1:
-                _draw(painter, head, 0.0, 0.0)
+                head.draw(painter, 0.0, 0.0)
                 y = head.height + BETWEEN_STEPS_PT
                 room -= y
             for part in parts:
                 high = part.height + room / len(parts)
-                _draw(painter, part, 0.0, y, QSizeF(width, high))
+                part.draw(painter, 0.0, y, QRectF(0.0, 0.0, width, high))
                 y += high + BETWEEN_STEPS_PT
             paper.foot(painter, left, f"{number} / {len(pages)}", width, height)
 
@@ -185,10 +185,10 @@ def _head(title: str, seed: int, width: float) -> PageBlock:
     below = top.height + RULE_PT
 
     def paint(painter: QPainter, part: QRectF) -> None:
-        _draw(painter, top, 0.0, 0.0)
-        _draw(painter, side, width - side.wide, top.height - side.height)
+        top.draw(painter, 0.0, 0.0)
+        side.draw(painter, width - side.wide, top.height - side.height)
         for block, begin, end in ((name, 0.0, 0.62), (date, 0.66, 1.0)):
-            _draw(painter, block, begin * width, below - block.height)
+            block.draw(painter, begin * width, below - block.height)
             _line(painter, begin * width + block.wide + BETWEEN_PT, end * width, below)
 
     return PageBlock(below, paint)
@@ -264,16 +264,16 @@ def _part(number: int, exercise: Numbered, width: float, share: float) -> PageBl
 
     def paint(painter: QPainter, place: QRectF) -> None:
         height = place.height()
-        _draw(painter, title, 0.0, 0.0)
-        _draw(painter, body, 0.0, top)
+        title.draw(painter, 0.0, 0.0)
+        body.draw(painter, 0.0, top)
         if figure is not None:
-            _draw(painter, figure, width - figure.wide if is_beside else 0.0, picture_top)
+            figure.draw(painter, width - figure.wide if is_beside else 0.0, picture_top)
         if is_roomy:
             left = 0.0 if is_beside else width - room
             _squares(painter, QRectF(left, body_end, room, squares))
         free = height - answer.height - picture_end - BETWEEN_PT
         _squares(painter, QRectF(0.0, picture_end, width, free))
-        _draw(painter, answer, 0.0, height - answer.height)
+        answer.draw(painter, 0.0, height - answer.height)
 
     return PageBlock(least, paint)
 
@@ -292,8 +292,8 @@ def _place_of_answer(question: Asked) -> PageBlock:
 
     def paint(painter: QPainter, _part: QRectF) -> None:
         middle = low / 2.0 if is_matrix else low - word.height / 2.0
-        _draw(painter, word, 0.0, middle - word.height / 2.0)
-        _draw(painter, unit, right + 2.0 * BRACKET_PT, middle - unit.height / 2.0)
+        word.draw(painter, 0.0, middle - word.height / 2.0)
+        unit.draw(painter, right + 2.0 * BRACKET_PT, middle - unit.height / 2.0)
         if not is_matrix:
             _line(painter, left, right, low)
             return
@@ -307,15 +307,6 @@ def _place_of_answer(question: Asked) -> PageBlock:
         paint_brackets(painter, box, BRACKET_PT)
 
     return PageBlock(low, paint)
-
-
-def _draw(
-    painter: QPainter, block: PageBlock, x: float, y: float, size: QSizeF | None = None
-) -> None:
-    painter.save()
-    painter.translate(x, y)
-    block.paint(painter, QRectF(QPointF(), size or QSizeF(1e4, block.height)))
-    painter.restore()
 
 
 def _line(painter: QPainter, left: float, right: float, y: float) -> None:

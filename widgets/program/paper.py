@@ -86,6 +86,18 @@ class PageBlock:
     after: float = BETWEEN_PT
     wide: float = 0.0  # how wide its content is
 
+    def draw(self, painter: QtGui.QPainter, x: float, y: float, part: QRectF | None = None) -> None:
+        """Paint the block, or a part of it, with its upper left at a place."""
+        part = part or QRectF(0.0, 0.0, 1e4, self.height)
+        painter.save()
+        painter.translate(x, y)
+        if self.left:
+            line = QRectF(0.25 * self.left, part.top(), 1.5, part.height())
+            painter.fillRect(line, QtGui.QColor(LIGHT.near))
+        painter.translate(self.left, 0.0)
+        self.paint(painter, QRectF(0.0, part.top(), part.width() - self.left, part.height()))
+        painter.restore()
+
 
 def text(
     text: str, width: float, size: float, *, title: bool = False, left: float = 0.0
@@ -110,10 +122,10 @@ def beside(figure: PageBlock, others: Sequence[PageBlock], left: float) -> PageB
 
     def paint(painter: QtGui.QPainter, part: QRectF) -> None:
         figure.paint(painter, part)
-        painter.translate(left, 0.0)
+        y = 0.0
         for block in others:
-            _paint_block(painter, block, QRectF(0.0, 0.0, part.width() - left, block.height))
-            painter.translate(0.0, block.height + BETWEEN_PT)
+            block.draw(painter, left, y, QRectF(0.0, 0.0, part.width() - left, block.height))
+            y += block.height + BETWEEN_PT
 
     return PageBlock(max(figure.height, right), paint)
 
@@ -122,8 +134,7 @@ def below(figure: PageBlock, caption: PageBlock) -> PageBlock:
 
     def paint(painter: QtGui.QPainter, part: QRectF) -> None:
         figure.paint(painter, part)
-        painter.translate(0.0, figure.height + CAPTION_PT)
-        caption.paint(painter, QRectF(0.0, 0.0, caption.wide, caption.height))
+        caption.draw(painter, 0.0, figure.height + CAPTION_PT)
 
     return PageBlock(figure.height + CAPTION_PT + caption.height, paint, wide=figure.wide)
 
@@ -218,13 +229,11 @@ def in_row(blocks: Sequence[PageBlock]) -> PageBlock:
     """Blocks beside each other, their middles on a line."""
     height = max(block.height for block in blocks)
 
-    def paint(painter: QtGui.QPainter, part: QRectF) -> None:
+    def paint(painter: QtGui.QPainter, _part: QRectF) -> None:
+        x = 0.0
         for block in blocks:
-            painter.save()
-            painter.translate(0.0, (height - block.height) / 2.0)
-            block.paint(painter, part)
-            painter.restore()
-            painter.translate(block.wide + BETWEEN_PT, 0.0)
+            block.draw(painter, x, (height - block.height) / 2.0)
+            x += block.wide + BETWEEN_PT
 
     return PageBlock(height, paint)
 
@@ -305,27 +314,12 @@ def paint_page(
     more = 0.0 if is_ruled else min(blank / max(1, gaps), BETWEEN_STEPS_PT)
     down = 0.0
     for piece in page.pieces:
-        painter.save()
-        painter.translate(0.0, piece.y + down - piece.begin)
-        _paint_block(painter, piece.block, QRectF(0.0, piece.begin, width, piece.height))
-        painter.restore()
+        part = QRectF(0.0, piece.begin, width, piece.height)
+        piece.block.draw(painter, 0.0, piece.y + down - piece.begin, part)
         down += 0.0 if piece.block.kept else more
     if is_ruled and blank > 2.0 * RULE_PT:
-        painter.save()
-        painter.translate(0.0, height - blank + BETWEEN_PT)
-        ruled(width, blank - BETWEEN_PT).paint(painter, QRectF(0.0, 0.0, width, blank))
-        painter.restore()
+        ruled(width, blank - BETWEEN_PT).draw(painter, 0.0, height - blank + BETWEEN_PT)
     foot(painter, left, right, width, height)
-
-
-def _paint_block(painter: QtGui.QPainter, block: PageBlock, part: QRectF) -> None:
-    painter.save()
-    if block.left:
-        line = QRectF(0.25 * block.left, part.top(), 1.5, part.height())
-        painter.fillRect(line, QtGui.QColor(LIGHT.near))
-    painter.translate(block.left, 0.0)
-    block.paint(painter, QRectF(0.0, part.top(), part.width() - block.left, part.height()))
-    painter.restore()
 
 
 def foot(painter: QtGui.QPainter, left: str, right: str, width: float, height: float) -> None:

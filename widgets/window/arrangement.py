@@ -19,7 +19,6 @@ from PySide6.QtWidgets import QButtonGroup, QMenu, QToolButton, QWidget
 
 from app.document.view import EVERYTHING, FIXED, LAYERS, PANELS, View
 from app.lecture.camera_frame import STEPS
-from app.model.projection import Camera
 from widgets.panels.frame_panel import FramePanel
 from widgets.panels.matrix_panel import MatrixPanel
 from widgets.panels.probe_panel import ProbePanel
@@ -32,6 +31,7 @@ from widgets.parts.wording import Wording
 from widgets.window.actions import Actions
 from widgets.window.control_strip import ControlStrip
 from widgets.window.drawer import Panels
+from widgets.window.look import cameras
 from widgets.window.slots import Slots
 
 WORDS = Wording(__file__)
@@ -120,12 +120,6 @@ class WorldLook(QObject):
         for name, action in self._menus.layers.items():
             action.setChecked(name not in self.hidden)
         self._menus.name_everything.setChecked(self.names == EVERYTHING)
-
-
-def cameras(panes: Mapping[str, Pane]) -> dict[str, Camera]:
-    """Return the cameras of the panes that the user has turned."""
-    turned = {name: pane.view for name, pane in panes.items()}
-    return {name: camera for name, camera in turned.items() if camera is not None}
 
 
 class Arrangement(QObject):

@@ -7,7 +7,7 @@ from collections.abc import Collection
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QFont
-from PySide6.QtWidgets import QApplication, QFrame, QSizePolicy, QWidget
+from PySide6.QtWidgets import QFrame, QSizePolicy, QWidget
 
 from app.document.view import MOST_ON_SLIDE, STRIP
 from app.model.parameters import FOV_Y, NEAR
@@ -91,9 +91,6 @@ class ControlStrip(FittedWidget, QFrame):
         self._is_old = False
         self.grips_wanted.emit(self._named if self._is_for_class else None)
         self._stages.setVisible(not self._is_for_class or STRIP in self._named)
-        focus = QApplication.focusWidget()
-        if self._is_for_class and focus is not None and self.isAncestorOf(focus):
-            self.window().setFocus()  # or Qt would give it to a pane, which then has a frame
         self._controls.take_back()
         self.rows = self._controls.lend(self.paths) if self.paths else []
         for row in self.rows:

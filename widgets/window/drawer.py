@@ -130,6 +130,9 @@ class Panels(QWidget):
             self._wanted, panel = panel, None
         if panel in self._empty:
             panel = None
+        last, held = self.open_panel, self.names.isVisible() and self.window().focusWidget()
+        if held and last and last is not panel and last.isAncestorOf(held):
+            self._heads[panel or last][0].setFocus()  # Qt would give it to a control of the dock
         if panel is not None:
             self.notify(panel)
             self._stack.setCurrentIndex(self.all.index(panel))

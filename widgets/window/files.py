@@ -160,6 +160,8 @@ class Files(QObject):
         self._set_path(path)
         if left is not None:
             text = self.tr("Undo brings back the unsaved changes to {0}.")
+            if not self._store.can_undo:  # in a lesson
+                text = self.tr("Close the lesson, and Undo brings back the unsaved changes to {0}.")
             self._window.statusBar().showMessage(text.format(left), MESSAGE_MS)
         return True
 

@@ -13,6 +13,7 @@ from app.lessons.player import Progress
 from widgets.window.lesson_card import TOUR, LessonCard, heads
 from widgets.window.practice import Practice, review_text
 from widgets.window.settings import Settings
+from widgets.window.talks import Talks
 
 
 def fill(
@@ -35,7 +36,7 @@ class LessonMenu(QMenu):
     """The menu of the menu bar; `make` and `submenu` make what its content file names."""
 
     def __init__(
-        self, window: QWidget, make: Callable[[str], QAction], submenu: Callable[[str], QMenu]
+        self, window: QWidget, make: Callable[..., QAction], submenu: Callable[[str], QMenu]
     ) -> None:
         super().__init__(window)
         self._window = window
@@ -46,13 +47,15 @@ class LessonMenu(QMenu):
         self.again, self.next, self.back = make("again"), make("next"), make("back")
         self.hint, self.anew = make("hint"), make("anew")
         self.check, self.leave = make("check"), make("leave")
+        self.speaker, self.with_talk = make("speaker"), make("with_talk", on=True)
+        self.add_step, self.begin_talk = make("add_step"), make("begin_talk")
 
-    def wire(self, card: LessonCard, settings: Settings, practice: Practice) -> None:
-        """Connect the actions to the lesson's card and to what is practised on it."""
+    def wire(self, card: LessonCard, settings: Settings, practice: Practice, talks: Talks) -> None:
+        """Connect the actions to the lesson's card, to what is practised on it, and to a talk."""
         self.aboutToShow.connect(partial(self._show_practice, practice))
-        for menu, talks in ((self.lessons, False), (self.talks, True)):
+        for menu, are in ((self.lessons, False), (self.talks, True)):
             menu.aboutToShow.connect(
-                lambda menu=menu, talks=talks: fill(menu, settings.progress, card.open, talks=talks)
+                lambda menu=menu, are=are: fill(menu, settings.progress, card.open, talks=are)
             )
         for action, act in (
             (self.tour, partial(card.open, TOUR)),
@@ -63,22 +66,29 @@ class LessonMenu(QMenu):
             (self.overview, practice.show_overview),
             (self.check, card.check),
             (self.leave, card.leave),
+            (self.speaker, talks.open_speaker),
+            (self.add_step, talks.writer.add_state),
+            (self.begin_talk, talks.writer.begin_new),
             *((action, button.click) for action, button in self._buttons(card)),
         ):
             action.triggered.connect(lambda _on=False, act=act: act())
-        card.buttons_changed.connect(partial(self._show, card))
-        self._show(card)
+        self.with_talk.setChecked(settings.speaker_window)
+        self.with_talk.toggled.connect(partial(setattr, settings, "speaker_window"))
+        card.buttons_changed.connect(partial(self._show, card, talks))
+        self._show(card, talks)
 
     def _show_practice(self, practice: Practice) -> None:
         """Name the exercises that have come back, and a test that waits."""
         self.review.setText(review_text(practice.waiting))
         self.test_again.setVisible(bool(practice.begun))
 
-    def _show(self, card: LessonCard) -> None:
+    def _show(self, card: LessonCard, talks: Talks) -> None:
         """Enable the actions that are possible now."""
         for action, button in (*self._buttons(card), (self.check, card.anew)):
             action.setEnabled(card.is_on and button.isEnabled())
         self.leave.setEnabled(card.is_on)
+        for action in (self.speaker, self.add_step):
+            action.setEnabled(talks.has_lesson)
 
     def _buttons(self, card: LessonCard) -> Sequence[tuple[QAction, QAbstractButton]]:
         """Return the actions that press a button of the card."""

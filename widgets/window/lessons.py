@@ -14,7 +14,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 from PySide6.QtCore import QFileSystemWatcher, QObject, QTimer, Signal
 
@@ -36,25 +36,11 @@ from widgets.parts.clock import Clock
 from widgets.parts.messages import MessageBar, sentence
 from widgets.parts.progress import apart
 from widgets.window.files import Files
+from widgets.window.transition import Transition
 
 TRANSITION_S = 0.4  # duration of the model's motion between two steps
 MOST_MISTAKES = 5  # most mistakes of a file that are named at once
 SETTLED_MS = 150  # delay before a changed file is read: editors may write it twice
-
-
-class WayOfPanes(Protocol):
-    """Moves the panes' cameras between two steps, or fades their pictures; see `Transition`."""
-
-    @property
-    def is_wanted(self) -> bool: ...
-
-    def begin(self, *, cuts: bool) -> bool: ...
-
-    def start(self, moves: bool) -> bool: ...
-
-    def paint(self) -> None: ...
-
-    def go(self, part: float) -> None: ...
 
 
 class Lessons(QObject):
@@ -80,7 +66,7 @@ class Lessons(QObject):
         stand_still: Callable[[], None],
         to_stage: Callable[[float], None],
         look_from: Callable[[Mapping[str, Camera]], None],
-        panes: WayOfPanes,
+        panes: Transition,
     ) -> None:
         super().__init__(store)
         self._store, self._files, self._messages = store, files, messages

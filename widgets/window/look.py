@@ -21,7 +21,6 @@ from widgets.parts import icons, palette
 from widgets.parts.kept_style import KeptStyle
 from widgets.parts.messages import TranslatedWords
 from widgets.parts.panel import EVERYTHING, Changed, ShownData
-from widgets.window.arrangement import cameras
 from widgets.window.settings import Settings
 from widgets.window.slots import panes_of_slide
 
@@ -35,6 +34,12 @@ def dress(settings: Settings, screen_px: float = 0.0, kept: KeptStyle | None = N
     assert isinstance(application, QApplication)
     dark = palette.is_dark(settings.theme)
     palette.apply(application, dark=dark, screen_px=screen_px, kept=kept)
+
+
+def cameras(panes: Mapping[str, Pane]) -> dict[str, Camera]:
+    """Return the cameras of the panes that the user has turned."""
+    turned = {name: pane.view for name, pane in panes.items()}
+    return {name: camera for name, camera in turned.items() if camera is not None}
 
 
 class Look(QObject):

@@ -73,7 +73,7 @@ from widgets.window.slots import Slots
 from widgets.window.start_card import StartCard
 from widgets.window.status_line import StatusLine
 from widgets.window.talk_band import TalkBand
-from widgets.window.talks import TalkActions, Talks
+from widgets.window.talks import Talks
 from widgets.window.transition import Transition
 from widgets.window.wiring import wire
 
@@ -186,6 +186,7 @@ class MainWindow(QMainWindow):
             self.resize(QSize(*AT_FIRST_PX).boundedTo(self.screen().availableSize()))
         if settings.problem is not None:
             self.messages.show_message(f"{sentence(settings.problem)} {WORDS.say('defaults')}")
+        self.panes["world"].canvas.setFocus()  # or Qt would give it to the button of an offer
         QTimer.singleShot(0, self, self.recovery.offer)
 
     def open_panes(self) -> None:
@@ -296,10 +297,6 @@ class MainWindow(QMainWindow):
             self, self.lessons, self.present, self.store, self.messages, self.settings, self.band,
             self.slide.question, self.slide.pen, self.look,
         )  # fmt: skip
-        self.talk_actions = TalkActions(self.talks, self, self.settings)
-        self.menus.lesson_menu.addSeparator()
-        self.menus.lesson_menu.addActions(self.talk_actions.all)
-        self.lessons.opened.connect(self.talk_actions.show_lesson)
         self.recovery = Recovery(data_folder(), self.store, self.messages, self.files, self)
         self._listeners: tuple[Listener, ...] = (
             *self.cursors.values(),
@@ -525,7 +522,7 @@ class MainWindow(QMainWindow):
 
     def show_beside(self) -> None:
         """Show or hide the dock, the lesson's card, the bottom row, the open panel and titles."""
-        alone, presents, held = bool(self.slots.whole), self.present.is_on, self.focusWidget()
+        alone, presents = bool(self.slots.whole), self.present.is_on
         card = self.lesson_card.is_on and not alone and not self.talks.is_on
         # Below a lesson's card the controls take no extra width, so a narrow window shows them.
         wanted = self.menus.controls.isChecked() or (card and self._is_narrow)
@@ -542,15 +539,17 @@ class MainWindow(QMainWindow):
         elif not folds and self._folded is not None:
             self.panels.open(self._folded)
             self._folded = None
-        if alone and not presents and held and not held.isVisible():  # or Qt gives it to a menu
-            self.panes[self.slots.whole].canvas.setFocus()
         self.drawer.set_presenting(presents, alone=is_slide)
         for pane in self.panes.values():
             named = not presents or len(self.slots.slide) != 1
             pane.set_presenting(presents and not pane.isWindow(), named=named)
 
     def focusNextPrevChild(self, forwards: bool) -> bool:
-        return focus_next(self, forwards)
+        held, presents, whole = self.focusWidget(), self.present.is_on, self.slots.whole
+        if held and not held.isVisible() and (presents or whole):  # no pane of a slide has a ring
+            (self if presents else self.panes[whole].canvas).setFocus()
+            return True
+        return focus_next(self.cover or self, forwards)
 
     def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         super().paintEvent(event)

@@ -141,7 +141,7 @@ class StatusLine(QStatusBar):
         float32_px = max((px for px in found_px if px <= tolerance_px), default=0.0)
         self._show_precisions(self._drawn, float32_px, self._predictions)
         self._risks = [
-            translated(risk.template, "Health").format(*map(plane_name, risk.figures))
+            with_comma(translated(risk.template, "Health").format(*map(plane_name, risk.figures)))
             for risk in risks(
                 projection, scene.lower, scene.upper, self._drawn, drawing_px, self._predictions
             )
@@ -170,7 +170,8 @@ class StatusLine(QStatusBar):
         menu.clear()
         read = levels.precision_for_reading(self._predictions)
         for precision, (px, depth) in (self._predictions or {}).items():
-            line = with_comma(WORDS.say("bound", precision, f"{px:.2g}", f"{depth:.2g}"))
+            figures = (f"{levels.rounded_up(bound, 2):.2g}" for bound in (px, depth))
+            line = with_comma(WORDS.say("bound", precision, *figures))
             if not math.isfinite(px + depth):
                 line = WORDS.say("no-bound", precision)
             each_use = (WORDS.say("drawn"), self._drawn), (WORDS.say("read"), read)
@@ -196,7 +197,7 @@ class StatusLine(QStatusBar):
 
 
 def _error_text(px: float) -> str:
-    return f"{px:.1g}" if math.isfinite(px) else "∞"
+    return f"{levels.rounded_up(px, 1):.1g}" if math.isfinite(px) else "∞"
 
 
 class _Elided(WarningLabel):

@@ -49,6 +49,7 @@ class TalkKeys(QObject):
         self._typed.timeout.connect(self.forget)
         self._acts: dict[Qt.Key, Callable[[], object]] = {
             _KEYS.Key_W: present.swap,
+            _KEYS.Key_F5: present.toggle,
             _KEYS.Key_PageDown: self.next.emit,
             _KEYS.Key_PageUp: self.previous.emit,
             _KEYS.Key_V: self.reveal.emit,

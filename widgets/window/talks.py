@@ -6,11 +6,10 @@
                                '--> Present                  '--> Ahead
 """
 
-from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QObject, QRect, Qt, QTimer
-from PySide6.QtGui import QAction, QGuiApplication, QImage
+from PySide6.QtGui import QGuiApplication, QImage
 from PySide6.QtWidgets import QApplication, QMainWindow
 
 from app.document.files import blamed_on, write_bytes_atomically
@@ -404,25 +403,3 @@ class Talks(QObject):
                 handle.setGeometry(screen.geometry() if window.isFullScreen() else place)
         if self.speaker is not None:
             self.speaker.raise_()
-
-
-class TalkActions(QObject):
-    def __init__(self, talks: Talks, window: QMainWindow, settings: Settings) -> None:
-        super().__init__(window)
-        self._talks = talks
-        self.speaker = QAction(self.tr("Speaker's &window"), window)
-        self.speaker.triggered.connect(talks.open_speaker)
-        text, on = self.tr("Open it when a talk is presente&d"), settings.speaker_window
-        self.with_talk = QAction(text, window, checkable=True, checked=on)
-        self.with_talk.toggled.connect(partial(setattr, settings, "speaker_window"))
-        self.add = QAction(self.tr("Add th&is state as a step…"), window)
-        self.add.triggered.connect(talks.writer.add_state)
-        self.begin = QAction(self.tr("A new talk fro&m here…"), window)
-        self.begin.triggered.connect(talks.writer.begin_new)
-        self.all = (self.speaker, self.with_talk, self.add, self.begin)
-        self.show_lesson()
-
-    def show_lesson(self) -> None:
-        """Enable the entries that are possible with the open lesson, or without one."""
-        for action in (self.speaker, self.add):
-            action.setEnabled(self._talks.has_lesson)

@@ -65,6 +65,7 @@ def _wire_components(window: Any) -> None:
         (menus.view_menu.aboutToShow, window.show_motion),
         (menus.find.triggered, window.find_control),
         (menus.play.triggered, controls.animation.toggle),
+        (menus.undo.triggered, window.status.clearMessage),  # it may be what brings changes back
         (menus.theme_chosen, look.set_theme),
         (menus.language_chosen, window.choose_language),
         (menus.present.triggered, window.lesson_card.reopen, window.present.toggle),
@@ -115,7 +116,7 @@ def _wire_components(window: Any) -> None:
 def _wire_lesson(window: Any) -> None:
     """Connect the lesson's card to its keys, and to everything that a task may require."""
     card, menus = window.lesson_card, window.menus
-    menus.lesson_menu.wire(card, window.settings, window.practice)
+    menus.lesson_menu.wire(card, window.settings, window.practice, window.talks)
     card.begun_again.connect(window.offer_answers)
     cursors = window.cursors.values()
     card.page.hidden.connect(partial(hide, window.panels, window.controls, cursors, window.panes))

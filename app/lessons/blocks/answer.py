@@ -19,7 +19,10 @@ from app.model.formula import Formula
 from app.model.refusal import REFUSALS, Refusal
 
 WAYS = ("value", "count", "matrix", "click", "order", "choice")  # the keys by which one answers
-
+_ONLY = {  # the ways of answering that other keys belong to
+    "at": "click", "within": "click", "first": "matrix", "tiles": "order", "number": "value, count",
+    "unit": "value, count, matrix", "wrong": "value, count, matrix, click",
+}  # fmt: skip
 _KINDS: dict[str, type[Choices | Click | MatrixQuestion | OrderQuestion]] = {
     "choice": Choices, "click": Click, "matrix": MatrixQuestion, "order": OrderQuestion
 }  # fmt: skip
@@ -34,19 +37,20 @@ class Answer(MarkedQuestion):
 
     @classmethod
     def read(cls, body: Body) -> Question:
-        keys = (*WAYS[:-1], "at", "within", "first", "tiles", "unit", "number")
-        text, items = body.items(*keys, "wrong", *CHECKS, choices=True)
-        given = [item for item in items if item.key in WAYS]
-        if not given:
+        text, items = body.items(*WAYS[:-1], *_ONLY, *CHECKS, choices=True)
+        way = next((item.key for item in items if item.key in WAYS), "")
+        if not way:
             kinds = said("“value:”, “count:”, “matrix:”, “click:”, “order:”, or choices")
             raise refused(body.line, REFUSALS["lacks"], kinds)
-        other = next((item for item in given if item.key != given[0].key), None)
-        if other is not None:
-            kinds = said("{0} and choices", ", ".join(WAYS[:-1]))
-            raise refused(other.line, REFUSALS["answer-either"], kinds)
-        if given[0].key in _KINDS:
-            return _KINDS[given[0].key].of(body, text, items)
-        value = items.single(given[0].key)
+        for item in items:
+            if item.key in WAYS and item.key != way:
+                kinds = said("{0} and choices", ", ".join(WAYS[:-1]))
+                raise refused(item.line, REFUSALS["answer-either"], kinds)
+            if way not in _ONLY.get(item.key, way):
+                raise refused(item.line, REFUSALS["of-another-way"], item.key, _ONLY[item.key])
+        if way in _KINDS:
+            return _KINDS[way].of(body, text, items)
+        value = items.single(way)
         assert value is not None
         symbol, _, formula = value.text.rpartition("=")
         return cls(

@@ -29,7 +29,7 @@ class Choice(Reply):
     def read(cls, item: LineItem) -> "Choice":
         """Read a choice: its text, then its formula and its idea in either order."""
         idea = _IDEA.search(item.text)
-        text, _, behind = _IDEA.sub("", item.text).partition(" := ")
+        text, _, behind = _IDEA.sub("", item.text).partition(":=")
         if not text.strip():
             raise refused(item.line, REFUSALS["lacks"], "a text")
         formulas: tuple[Formula, ...] = ()

@@ -28,7 +28,7 @@ from app.model.refusal import REFUSALS, Refusal
 MOST_NAMES, MOST_VALUES = 8, 1000
 LEAST_VARIANTS = 20  # fewer variants are learnt by heart
 LARGEST_SEED = 9999
-_DRAWS = 40  # how often numbers are drawn until they suit; rarer ones would be slow to find
+_DRAWS = 200  # how often numbers are drawn until they suit; one in seven does in every seed
 SEEDS, _WHOLE = 200, 5  # how many seeds a check draws; for how many it checks the whole question
 
 

@@ -145,7 +145,8 @@ class MatrixQuestion(MarkedQuestion):
         return "; ".join(" | ".join(row) for row in self._in_rows(numbers))
 
     def printed(self, numbers: Sequence[str]) -> str:
-        return "; ".join(", ".join(row) for row in self._in_rows(numbers))
+        comma = " | " if "," in "".join(numbers) else ", "  # where that is in the numbers
+        return "; ".join(comma.join(row) for row in self._in_rows(numbers))
 
     def own_answer(self, typed: str) -> str:
         return f"\n\n{self.table([escaped(cell) for cell in self.texts_of(typed)])}"

@@ -209,8 +209,12 @@ class OrderQuestion(MarkedQuestion):
         return "\n".join(lines)
 
     def check_values(self, here: Here) -> None:
-        right = self.factors(here)
-        if same(effect(self.factors(here, "; ".join(self.tiles))), effect(right)):
+        right, given = self.factors(here), self.factors(here, "; ".join(self.tiles))
+        needed, had = ([each.kind for each in chain] for chain in (right, given))
+        for factor in right:  # of each tile the student may change the numbers
+            if had.count(factor.kind) < needed.count(factor.kind):
+                raise refused(self.right_line, REFUSALS["no-tile"], factor.text)
+        if same(effect(given), effect(right)):
             raise refused(self.right_line, REFUSALS["order-any"])
         stages = {each.name: each.matrix for each in here.document.projection.all_stages}
         own = Factor("", "", stages[OF.get(self.product, FROM_OBJECT)])
@@ -220,7 +224,7 @@ class OrderQuestion(MarkedQuestion):
 
     def check(self, here: Here, trial: Trial) -> None:
         super().check(here, trial)
-        with trial.kept():
+        with trial.kept(), on_line(self.right_line):
             self.check_values(here)
 
 

@@ -160,7 +160,7 @@ class Question(Asked):
         return " ".join(numbers)
 
     def printed(self, numbers: Sequence[str]) -> str:
-        return ", ".join(numbers)
+        return ("; " if "," in "".join(numbers) else ", ").join(numbers)
 
     def mistakes(self, here: Here, write: Callable[[float], str]) -> Iterator[tuple[str, str]]:
         for letter, reply in zip(LETTERS, self.replies, strict=False):

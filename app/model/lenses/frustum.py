@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import ClassVar
 
 from app.model.lenses.answers import Window
@@ -41,10 +41,6 @@ class Frustum(Central, Windowed):
         limit = self.near / SMALLEST_FIELD
         for name, side in {"left": left, "right": right, "bottom": bottom, "top": top}.items():
             within(name, side, -limit, limit)
-
-    def cut(self, window: Window, near: float, far: float) -> Frustum:
-        near, far = self.checked_planes(near, far)
-        return replace(self, near=near, far=far, **self.sides(self.window_at(window, near)))
 
     @classmethod
     def with_window(cls, window: Window, near: float, far: float, keep: Keep) -> Frustum:

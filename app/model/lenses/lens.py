@@ -353,10 +353,12 @@ class Windowed(Lens):
         fitted = aspect * (self.top - self.bottom)
         return math.isclose(self.right - self.left, fitted, rel_tol=_ROUNDING)
 
-    def sides(self, window: Window) -> dict[str, Any]:
-        """The fields of a window that does not follow the image."""
-        names = ("left", "right", "bottom", "top")
-        return {**dict(zip(names, window, strict=True)), "keep": "stretch"}
+    def cut(self, window: Window, near: float, far: float) -> Lens:
+        near, far = self.checked_planes(near, far)
+        left, right, bottom, top = self.window_at(window, near)
+        return self.replaced(
+            left=left, right=right, bottom=bottom, top=top, near=near, far=far, keep="stretch"
+        )
 
     def exact_letters(self, aspect: Fraction) -> dict[str, Fraction]:
         sides = zip("lrbt", self.exact_window(aspect), strict=True)

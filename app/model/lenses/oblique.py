@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import partial
 from itertools import chain
@@ -12,7 +12,6 @@ from typing import ClassVar
 
 from app.arithmetic.double_double import cotangent_deg
 from app.arithmetic.rationals import Rationals
-from app.model.lenses.answers import Window
 from app.model.lenses.lens import Lens, LensTable, Windowed
 from app.model.lenses.orthographic import Parallel, box_table
 from app.model.lenses.solving import same, shortest
@@ -75,10 +74,6 @@ class Oblique(Parallel, Windowed):
     @property
     def shear(self) -> tuple[float, float]:
         return _cot_deg(self.alpha_deg), _cot_deg(self.beta_deg)
-
-    def cut(self, window: Window, near: float, far: float) -> Oblique:
-        near, far = self.checked_planes(near, far)
-        return replace(self, near=near, far=far, **self.sides(self.window_at(window, near)))
 
     @classmethod
     def _leaning(

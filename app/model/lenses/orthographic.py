@@ -145,3 +145,5 @@ class Orthographic(Parallel, Windowed):
     right: float = 4.0
     bottom: float = -4.0
     top: float = 4.0
+
+    cut = Lens.cut  # the window is the same on every plane

@@ -21,20 +21,6 @@ WORDS = PhenomenonWords("camera-obscura")
 _BESIDE = 0.1  # of the subject's height, from its left side to the arrow
 
 
-def heights(
-    projection: Projection, distance: float, bottom: Array, top: Array
-) -> tuple[float, float]:
-    """How high an arrow's image is on the film behind the hole, and on the one in front.
-
-    `bottom` and `top` are the world points (3,) of its ends, in front of the hole; `distance` is d.
-    The heights, differences of ``-d y / w`` and of ``d y / w``, are positive where the head is
-    above the foot.
-    """
-    (_, y_bottom, z_bottom), (_, y_top, z_top) = projection.trace([bottom, top]).view.tolist()
-    in_front = distance * y_top / -z_top - distance * y_bottom / -z_bottom
-    return -in_front, in_front
-
-
 def _arrow(projection: Projection, subject: Subject) -> Array:
     """Foot and head of an arrow beside the subject, as high as it and along v, (2, 3)."""
     lower, upper = np.array(subject.lower), np.array(subject.upper)
@@ -64,7 +50,7 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
     image: list[Mark] = []
     slab = SLAB * d
     if z > 0.0:
-        behind, in_front = heights(projection, d, arrow[0], arrow[1])
+        behind, in_front = -d * h / z, d * h / z
         x, y = trace.view[:, 0] / z, trace.view[:, 1] / z
         on_film = world_from_view(projection, np.column_stack([-d * x, -d * y, [d, d]]))
         on_front = world_from_view(projection, np.column_stack([d * x, d * y, [-d, -d]]))

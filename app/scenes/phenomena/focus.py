@@ -24,6 +24,7 @@ from numpy.typing import NDArray
 
 from app.model.lenses.central import FULL_FRAME_DIAGONAL_MM
 from app.model.parameter import Settings, number
+from app.model.parameters import tidy
 from app.model.projection import Array, Projection
 from app.scenes import shapes
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
@@ -37,10 +38,11 @@ _MM = 1e-3  # in world units, which are metres
 
 
 class Sharpness(NamedTuple):
-    """The limits of sharpness and the hyperfocal distance, in metres; `far` may be infinite."""
+    """The limits of sharpness, what is between them, and the hyperfocal distance, in metres."""
 
     near: float
-    far: float
+    far: float  # may be infinite
+    depth: float
     hyperfocal: float
 
 
@@ -54,7 +56,7 @@ def sharpness(f_mm: float, f_number: float, focus: float, confusion_mm: float) -
     share = (focus - f) / reach  # both formulas divided by H - f, so that no sum loses digits
     near = focus / (1.0 + share)
     far = focus / (1.0 - share) if share < 1.0 else math.inf
-    return Sharpness(near, far, reach + f)
+    return Sharpness(near, far, 2.0 * share * near * (far / focus), reach + f)
 
 
 def blur_mm(f_mm: float, f_number: float, focus: float, distances: Array) -> Array:
@@ -138,7 +140,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     sharp = sharpness(f_mm, n, focus, c_mm)
     lens = _Focused(n, focus, c_mm, f_mm, sharp)
     with np.errstate(over="ignore"):
-        disc_mm = float(lens.blur_mm(np.array(projection.camera.distance)))
+        disc_mm = float(lens.blur_mm(np.array(tidy(projection.camera.distance))))
     to_infinity = WORDS.phrase("to-infinity")
     is_seen = projection.lens.near <= focus <= projection.lens.far
     return Illustration(
@@ -163,8 +165,7 @@ def _readings(
     """The readout; `note` says why a value is None."""
     near = far = depth = hyperfocal = None
     if sharp is not None:
-        near, far, hyperfocal = sharp
-        depth = far - near
+        near, far, depth, hyperfocal = sharp
     return (
         Reading.or_why(WORDS["sharp-from"], near, "m", note),
         Reading.or_why(WORDS["sharp-to"], far, "m", note),

@@ -25,6 +25,7 @@ from app.scenes.shapes import Coloured, box_corners, cubes, edges_of, ground_gri
 WORDS = PhenomenonWords("oblique-drawing")
 
 _SQUARE = 1e-6  # by how much v may be drawn longer than u, relative to 1
+_LEAST = 1e-9  # of the largest pixel, and of the edge along u: a shorter edge is one of rounding
 _SCALES = {"cavalier": 1.0, "cabinet": 0.5}
 _COLOURS = ("u", "v", "n")
 _ARC = 0.1  # of the near distance: radius of the angles' arcs
@@ -56,16 +57,18 @@ class DrawnEdge(NamedTuple):
 def measured(ends_px: Array) -> DrawnEdge | None:
     """Measure drawn edges: pixels (4, 2) of a corner and of their ends along -u, v and -n.
 
-    None if a pixel is missing, or an edge along u or v has no length.
+    None if a pixel is missing, or an edge along u or v is too short.
     """
     corner, left, top, back = ends_px.tolist()
     across, up = corner[0] - left[0], corner[1] - top[1]
-    if not (across > 0.0 and up > 0.0):
+    if not min(across, up) > _LEAST * float(np.abs(ends_px).max()):  # NaN, too
         return None
     x, y = (back[0] - corner[0]) / across, (corner[1] - back[1]) / across
     if not math.isfinite(math.hypot(x, y) + up / across):
         return None
-    return DrawnEdge(math.hypot(x, y), up / across, math.degrees(math.atan2(y, x)))
+    scale = math.hypot(x, y)
+    turn_deg = math.degrees(math.atan2(y, x))
+    return DrawnEdge(scale if scale > _LEAST else 0.0, up / across, turn_deg)
 
 
 def oblique(projection: Projection, scale: float, angle_deg: float) -> Projection:

@@ -52,7 +52,9 @@ def shadow_matrix(light: Array, height: float) -> Array:
     """
     plane = np.array([0.0, 1.0, 0.0, -height])
     # For a lamp, p·L is a difference that is rounded once.
-    return np.asarray((light[1] - height * light[3]) * np.eye(4) - np.outer(light, plane))
+    matrix = (light[1] - height * light[3]) * np.eye(4) - np.outer(light, plane)
+    matrix[1, 1], matrix[3, 3] = -height * light[3], light[1]  # what is left of differences
+    return np.asarray(matrix)
 
 
 def on_ray(light: Array, height: float, place: Array) -> Array | None:

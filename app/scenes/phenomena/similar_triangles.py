@@ -13,6 +13,7 @@ import numpy as np
 from app.model.parameter import Settings, number, point
 from app.model.projection import Array, Projection
 from app.model.refusal import REFUSALS, Refusal
+from app.precision.levels import trace as traced
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import (
     Copy,
@@ -48,15 +49,6 @@ _SQUARE = 0.025  # of the longest distance: side of a right angle's mark
 def _check(settings: Settings) -> None:
     if number(settings, "distance") == 0.0:
         raise Refusal("settings.distance", 0.0, REFUSALS["not-the-eye-plane"])
-
-
-def projected(projection: Projection, distance: float, place: Array) -> tuple[float, float] | None:
-    """Where the projector of a world point (3,) meets the plane, (x_p, y_p) in view coordinates.
-
-    ``d x / w, d y / w`` (002, similar triangles); None for a point that is not in front.
-    """
-    x, y, z = projection.trace(place).view.tolist()
-    return None if z >= 0.0 else (distance * x / -z, distance * y / -z)
 
 
 def lecture_matrix(distance: float) -> Array:
@@ -101,9 +93,9 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     nearest = float(depths[depths > 0.0].min(initial=math.inf))
 
     trace = projection.trace(place)
-    x, y, z = trace.view.tolist()
+    x, y, z = traced(projection, place, "exact").view.tolist()  # 0 for a point on the axis
     w = -z + 0.0
-    x_p, y_p = projected(projection, distance, place) or (None, None)
+    x_p, y_p = (distance * x / w, distance * y / w) if w > 0.0 else (None, None)
     lengths: tuple[Length, ...] = ()
     if x_p is not None and y_p is not None:
         hit, foot, axis = at(x_p, y_p, -distance), at(0.0, 0.0, -distance), at(0.0, 0.0, z)

@@ -170,8 +170,8 @@ def running(
 ) -> Running:
     """Return the position of P.
 
-    `start` is C in the world (3,) and in clip space (4,), `toward` likewise s D, the way that P has
-    made at t = 1/2.
+    `start` is C in the world (3,) and over s in clip space (4,), `toward` is s D, the way that P
+    has made at t = 1/2, and D: at infinity P has the pixel of its vanishing point.
     """
     w = 1.0 - t
     world = None if w == 0.0 else start[0] + (t / w) * toward[0]
@@ -205,8 +205,8 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     if size == 0.0:  # the edges of a flat mesh may have no length
         size = subject.size
         toward = size * point.sign * np.eye(3)[axis]
-    from_corner = (start, trace.clip[axis, row, near_end])
-    there = running(projection, from_corner, (toward, size * point.clip), number(settings, "t"))
+    from_corner = (start, trace.clip[axis, row, near_end] / size)
+    there = running(projection, from_corner, (toward, point.clip), number(settings, "t"))
     return Illustration(
         _readings(projection, points, axis, there),
         world=_world_marks(projection, points, subject, start, there),

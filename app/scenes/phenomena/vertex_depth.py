@@ -112,7 +112,8 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illu
     places = np.concatenate([_floor(projection, ends)[rows].reshape(-1, 3), wall])
     if not is_right:
         w = np.concatenate([np.repeat(ends[rows], 2), w_wall])
-        scale = np.divide(_standard(projection, np.abs(w)), w, out=np.ones_like(w), where=w > 0.0)
+        ahead = np.where(w > 0.0, w, 1.0)
+        scale = np.where(w > 0.0, _standard(projection, ahead) / ahead, 1.0)
         places = eye + (places - eye) * scale[:, None]
     near, far = _floor(projection, ends[[0, -1]])
     sides = trough[::_STRIDE].swapaxes(0, 1)
