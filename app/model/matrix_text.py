@@ -59,15 +59,13 @@ def _refused(bound: object, *limits: object) -> Refusal:
 # --------------------------------------------------------------------------- what is left away
 
 is_by_columns = re.compile(
-    r"\b[df]?mat[234](?:x[234])?[fh]?(?:<[a-z0-9]{1,4}>)?(?:\.[a-z]{3,10}|\s\w{1,40}\s?=?)?\s?[({]"
+    r"(?i)\b[df]?mat\d(?:x\d)?[fh]?(?:<[a-z0-9]{1,4}>)?(?:\.[a-z]{3,10}|\s\w{1,40}\s?=?)?\s?[({]"
     r"|\b(?:matrix3d|DOMMatrix|make(?:_mat[34]|Basis)|from(?:Array|_?col\w{0,20}|_vec)|setColumn"
     r"|ArrayStorage|simd_matrix)\s?\(|\b(?:simd|matrix)_[a-z]{4,6}[34]x[34]\s?\((?!rows)"
     r"|\bcolumns(?:\s?:\s?\(|\.[0-3])|\(\[?SIMD[34]|\[[0-3]\] ?= ?(?:\w{1,20}::)?[df]?vec[34]\("
-    r"|\bnew\b[^(]{0,40}\(\s{0,40}new\b[^(]{0,20}(?:Vector|float)[34]"
-    r"|\b(?:Basis|Projection|Transform3D)\(\s{0,40}Vector|\bx_axis\b|\bcolumn[- ]major\b"
-    r"|\belements[\"']?\s?[=:]\s?\w{0,20}(?:\(\d{1,2}\))?\s?[\[{(]"
-    r"|PlainObjectBase<Eigen::Matrix<\w{1,9}, ?[34], ?[34], ?0\b",
-    re.IGNORECASE,
+    r"|\bnew\b[^(]{0,40}\(\s{0,40}new\b[^(]{0,20}(?:Vector|float)[34]|\bcolumn[- ]major\b"
+    r"|\belements[\"']?\s?[=:]\s?\w{0,20}(?:\(\d{1,2}\))?\s?[\[{(]|\bx_axis\b"
+    r"|\b(?:Basis|Projection|Transform3D)\(\s{0,40}Vector|Base<Eigen::Matrix<\w+, ?\d, ?\d, ?0\b"
 ).search
 """Whether GLSL, WGSL, glm, glMatrix, CSS, three.js, Rust, Metal, Unity, Godot or gdb wrote it."""
 
