@@ -4778,8 +4778,8 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Projektsioonide liigid</translation>
     </message>
     <message>
-        <source>A typed matrix belongs to no kind. Choose a kind, and its lens replaces the matrix.</source>
-        <translation>Sisestatud maatriks ei kuulu ühtegi liiki. Valige liik ja selle objektiiv asendab maatriksi.</translation>
+        <source>A free matrix belongs to no kind. Choose a kind, and its lens replaces the matrix.</source>
+        <translation>Vaba maatriks ei kuulu ühtegi liiki. Valige liik ja selle objektiiv asendab maatriksi.</translation>
     </message>
     <message>
         <source>{0}: {1}.</source>
@@ -5021,8 +5021,8 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Paralleelsel objektiivil ei ole silma: see on vaade piki selle telge.</translation>
     </message>
     <message>
-        <source>A typed matrix has no near, no far and no angle.</source>
-        <translation>Sisestatud maatriksil ei ole lähitasandit, kaugtasandit ega nurka.</translation>
+        <source>A free matrix has no near, no far and no angle.</source>
+        <translation>Vabal maatriksil ei ole lähitasandit, kaugtasandit ega nurka.</translation>
     </message>
     <message>
         <source>This window is off-axis: the axis does not halve its angle.</source>

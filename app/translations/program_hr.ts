@@ -4793,8 +4793,8 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Vrste projekcija</translation>
     </message>
     <message>
-        <source>A typed matrix belongs to no kind. Choose a kind, and its lens replaces the matrix.</source>
-        <translation>Upisana matrica ne pripada nijednoj vrsti. Odaberite vrstu, i njezin će objektiv zamijeniti matricu.</translation>
+        <source>A free matrix belongs to no kind. Choose a kind, and its lens replaces the matrix.</source>
+        <translation>Slobodna matrica ne pripada nijednoj vrsti. Odaberite vrstu, i njezin će objektiv zamijeniti matricu.</translation>
     </message>
     <message>
         <source>{0}: {1}.</source>
@@ -5036,8 +5036,8 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Paralelni objektiv nema centar projekcije: ovo je pogled duž njegove osi.</translation>
     </message>
     <message>
-        <source>A typed matrix has no near, no far and no angle.</source>
-        <translation>Upisana matrica nema ni blisku ni daleku ravninu ni kut.</translation>
+        <source>A free matrix has no near, no far and no angle.</source>
+        <translation>Slobodna matrica nema ni blisku ni daleku ravninu ni kut.</translation>
     </message>
     <message>
         <source>This window is off-axis: the axis does not halve its angle.</source>

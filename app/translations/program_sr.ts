@@ -4793,8 +4793,8 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Врсте пројекција</translation>
     </message>
     <message>
-        <source>A typed matrix belongs to no kind. Choose a kind, and its lens replaces the matrix.</source>
-        <translation>Унета матрица не припада ниједној врсти. Изаберите врсту, и њен објектив ће заменити матрицу.</translation>
+        <source>A free matrix belongs to no kind. Choose a kind, and its lens replaces the matrix.</source>
+        <translation>Слободна матрица не припада ниједној врсти. Изаберите врсту, и њен објектив ће заменити матрицу.</translation>
     </message>
     <message>
         <source>{0}: {1}.</source>
@@ -5036,8 +5036,8 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Паралелни објектив нема позицију камере: ово је поглед дуж његове осе.</translation>
     </message>
     <message>
-        <source>A typed matrix has no near, no far and no angle.</source>
-        <translation>Унета матрица нема ни предњу ни задњу раван ни угао.</translation>
+        <source>A free matrix has no near, no far and no angle.</source>
+        <translation>Слободна матрица нема ни предњу ни задњу раван ни угао.</translation>
     </message>
     <message>
         <source>This window is off-axis: the axis does not halve its angle.</source>
