@@ -21,7 +21,7 @@ from app.lessons.blocks.task import DONE
 from app.lessons.course import Course, ShownStep, scene_of
 from app.lessons.lesson import Lesson, Step
 from app.lessons.practice import Sheet, verdict_on
-from app.lessons.record import RIGHT, SHOWN, WRONG, Attempt, in_one_line
+from app.lessons.record import RIGHT, SHOWN, WRONG, Attempt, spaced
 from app.lessons.strokes import answer_picture
 from app.lessons.writing import changes
 from app.model.projection import Camera
@@ -121,7 +121,7 @@ class PlayedBlock:
         A window, which can measure distances in its picture, may have a verdict already. What was
         `given` is recorded in place of what was typed.
         """
-        given = in_one_line(given or typed).strip()
+        given = spaced(given or typed).strip()
         try:
             verdict = verdict or self.question.mark(self.here, typed)
         except Refusal:

@@ -97,12 +97,12 @@ def _checked(name: str, value: object) -> object:
 
 def one_line(name: str, value: object, longest: int) -> str:
     """Return a text without control characters and halves of surrogate pairs, or refuse it."""
-    if not isinstance(value, str) or len(value) > longest or value != in_one_line(value):
+    if not isinstance(value, str) or len(value) > longest or value != spaced(value):
         raise Refusal.in_document(REFUSALS["a-text"], longest, field=name)
     return value
 
 
-def in_one_line(text: str) -> str:
+def spaced(text: str) -> str:
     """Return a text, perhaps pasted, with spaces for what `one_line` refuses."""
     return "".join(" " if unicodedata.category(each) in ("Cc", "Cs") else each for each in text)
 

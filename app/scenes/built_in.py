@@ -29,8 +29,6 @@ SHOWN: dict[str, dict[str, Any]] = {  # how the panes show a scene that differs 
         "cube_side": (75.0, 10.0),
     },
 }
-WORDS = {name: PhenomenonWords(name) for name in ("letter-f", "cube", "posts")}
-"""The title of each scene, and what to try there."""
 WORDS_OF_A_MESH = PhenomenonWords("own-mesh")
 
 
@@ -86,3 +84,5 @@ def _posts() -> Parts:
 
 
 BUILDERS: dict[str, Callable[[], Parts]] = {"letter-f": _letter_f, "cube": _cube, "posts": _posts}
+WORDS = {name: PhenomenonWords(name) for name in BUILDERS}
+"""The title of each scene, and what to try there."""

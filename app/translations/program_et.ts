@@ -1892,6 +1892,10 @@
         <translation>{0} = {1!r}: on toru või seade, mitte tavaline fail.</translation>
     </message>
     <message>
+        <source>{0} = {1!r}: is read by this command; write to another file.</source>
+        <translation>{0} = {1!r}: seda faili loeb see käsk; kirjutage mõnda teise faili.</translation>
+    </message>
+    <message>
         <source>{0} = {1!r}: may not be written.</source>
         <translation>{0} = {1!r}: kirjutamine ei ole lubatud.</translation>
     </message>
@@ -4774,8 +4778,8 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Projektsioonide liigid</translation>
     </message>
     <message>
-        <source>A typed matrix belongs to no kind. Choose a kind, and its lens replaces the matrix.</source>
-        <translation>Sisestatud maatriks ei kuulu ühtegi liiki. Valige liik ja selle objektiiv asendab maatriksi.</translation>
+        <source>A free matrix belongs to no kind. Choose a kind, and its lens replaces the matrix.</source>
+        <translation>Vaba maatriks ei kuulu ühtegi liiki. Valige liik ja selle objektiiv asendab maatriksi.</translation>
     </message>
     <message>
         <source>{0}: {1}.</source>
@@ -5017,8 +5021,8 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Paralleelsel objektiivil ei ole silma: see on vaade piki selle telge.</translation>
     </message>
     <message>
-        <source>A typed matrix has no near, no far and no angle.</source>
-        <translation>Sisestatud maatriksil ei ole lähitasandit, kaugtasandit ega nurka.</translation>
+        <source>A free matrix has no near, no far and no angle.</source>
+        <translation>Vabal maatriksil ei ole lähitasandit, kaugtasandit ega nurka.</translation>
     </message>
     <message>
         <source>This window is off-axis: the axis does not halve its angle.</source>
@@ -8346,6 +8350,10 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>peab andma sama korrutise, mida näitab olek: seal on {0} teistsugune</translation>
     </message>
     <message>
+        <source>must be 0, 0, 0, 1, the last row of a pose: perhaps rows and columns are exchanged</source>
+        <translation>peab olema 0, 0, 0, 1, asendi viimane rida: võib-olla on read ja veerud vahetuses</translation>
+    </message>
+    <message>
         <source>must have three numbers for each rotation, which has three or nine</source>
         <translation>igal pöördel peab olema kolm arvu; pöördel on neid kolm või üheksa</translation>
     </message>
@@ -8692,6 +8700,10 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     <message>
         <source>{0}: there is no such file; check its name and folder.</source>
         <translation>{0}: sellist faili ei ole; kontrollige selle nime ja kausta.</translation>
+    </message>
+    <message>
+        <source>{0}: its description has {1} lists and objects, but may have at most {2}; make it smaller.</source>
+        <translation>{0}: kirjelduses on {1} loendit ja objekti, aga lubatud on kõige rohkem {2}; tehke fail väiksemaks.</translation>
     </message>
     <message>
         <source>{0}: there is not enough memory to read it; make it smaller, or close other programs.</source>

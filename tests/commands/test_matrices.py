@@ -10,6 +10,7 @@ import pytest
 from app.commands import options
 from app.document.document import Document
 from app.document.settings import set_values
+from app.languages import sentences
 from app.lecture.conventions import CONVENTIONS, in_convention, world_planes
 from app.lecture.letters import LETTERS, Letters
 from app.lecture.notation import clip_signs
@@ -25,6 +26,7 @@ NUMPY = "[[1.8,0,0,0],[0,2.4,0,0],[0,0,-1.002,-0.2002],[0,0,-1,0]]"
 
 def test_the_options_are_those_of_the_table() -> None:
     assert [*CONVENTIONS] == options.choices("matrices", "--convention")
+    assert {f"in-{name}" for name in CONVENTIONS} <= sentences().keys()
 
 
 @pytest.mark.parametrize("name", CONVENTIONS)
@@ -80,6 +82,11 @@ def test_a_matrix_is_set_as_its_text(text: str) -> None:
     done = run_here("matrices", "--set=lens.kind=matrix", f"--set=lens.clip_from_view={text}")
     assert (done.returncode, done.stderr) == (0, "")
     assert "-1.002  -0.2002" in done.stdout
+
+
+def test_opencvs_lens_is_refused_by_the_name_that_is_set() -> None:
+    done = run_here("matrices", "--convention=opencv", "--set=lens.kind=oblique")
+    assert one_sentence(done, 2) == "lens.kind = 'oblique': must be one of perspective, frustum.\n"
 
 
 def test_a_matrix_of_another_convention_is_described() -> None:

@@ -482,7 +482,7 @@ def test_no_line_of_the_view_before_remains(off_screen: MakeScreen) -> None:
 SENTENCES = {
     "parallel": "A parallel lens has no angle: it is equally wide at every distance.",
     "eye": "A parallel lens has no eye: this is the view along its axis.",
-    "typed": "A typed matrix has no near, no far and no angle.",
+    "typed": "A free matrix has no near, no far and no angle.",
     "aside": "This window is off-axis: the axis does not halve its angle.",
 }
 

@@ -173,6 +173,21 @@ def test_what_lies_in_the_screen_plane_does_not_move_and_the_rest_does() -> None
     assert reading(behind, "P appears").value == "behind the screen"
 
 
+@pytest.mark.parametrize("away", [0.0, 1e9])
+@pytest.mark.parametrize("fov_y_deg", [1e-3, 45.0])
+def test_off_axis_no_point_is_higher_for_one_eye(away: float, fov_y_deg: float) -> None:
+    """By rounding too, with many pixels and far from the origin."""
+    dice = random.Random(6)
+    for _ in range(30):
+        eye, target = ([away + dice.uniform(-9, 9) for _ in range(3)] for _ in range(2))
+        camera = Camera((eye[0], eye[1], eye[2]), (target[0], target[1], target[2]))
+        ahead = 2.0 * np.array(target) - eye + camera.frame[0]
+        seen = Projection(camera, Perspective(fov_y_deg, 0.1, 1e9), (16384, 16384))
+        found = shown(seen, point=tuple(ahead.tolist()))
+        assert value(found, DOWN) == value(found, LARGEST) == 0.0
+        assert abs(value(found, ACROSS)) > 0.0
+
+
 def test_the_screen_plane_is_the_target_s_and_moves_nothing_else() -> None:
     moved = PHENOMENON.follow(START, {"screen": 8.0}, PHENOMENON.checked({"screen": 5.5}))
     assert moved == replace(START, camera=Camera((0.0, 1.8, 8.0), (0.0, 1.8, 2.5)))

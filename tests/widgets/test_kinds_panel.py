@@ -62,7 +62,7 @@ def test_l12_it_follows_the_hand_on_the_camera(window: MainWindow) -> None:
     assert lit(window) == ["dimetric"]
     window.store.set_projection(projection.with_lens("matrix"))
     assert lit(window) == []
-    assert window.kinds_panel.condition.text().startswith("A typed matrix belongs to no kind")
+    assert window.kinds_panel.condition.text().startswith("A free matrix belongs to no kind")
 
 
 def test_l12_a_node_says_its_condition_and_why_a_scene_cannot_show_it(window: MainWindow) -> None:

@@ -223,6 +223,14 @@ def test_a_test_that_is_left_is_gone_on_with(with_test: MainWindow) -> None:
     assert with_test.lessons.place == 0 and keyboard() is card.next
 
 
+def test_an_answer_that_cannot_be_recorded_is_said_so(with_test: MainWindow) -> None:
+    (data_folder() / RECORD).mkdir(parents=True)
+    answer(with_test)
+    settle()
+    said = texts(with_test.lesson_card)
+    assert "Your answer is kept" in said and f"{RECORD} cannot be written" in said
+
+
 def test_a_test_that_is_handed_in_shows_its_marks_and_saves_them(
     with_test: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -255,8 +263,12 @@ def test_a_test_that_is_handed_in_shows_its_marks_and_saves_them(
     outcomes = {key[1]: each.outcome for key, each in standings(attempts.values()).items()}
     assert outcomes["practise/choose"] == outcomes["practise/set"] == "alone"
     out = tmp_path / "mine.json"
-    monkeypatch.setattr(QInputDialog, "getText", lambda *_: ("  Ana\tB\n", True))
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(out), ""))
+    monkeypatch.setattr(QInputDialog, "getText", lambda *_: (500 * "A", True))
+    press(KEY.Key_Return)
+    assert "student must be one line of at most 100" in with_test.messages.text
+    assert not out.exists(), "no name is cut"
+    monkeypatch.setattr(QInputDialog, "getText", lambda *_: ("  Ana\tB\n", True))
     press(KEY.Key_Return)
     assert with_test.messages.text == f"The result is in {out}."
     result = read(out)

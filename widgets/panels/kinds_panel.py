@@ -274,8 +274,7 @@ class KindsPanel(LetteredWidget, ReadablePanel):
         about = self._pointed or now
         if about is None:
             return self.tr(
-                "A typed matrix belongs to no kind. Choose a kind, and its lens replaces the"
-                " matrix."
+                "A free matrix belongs to no kind. Choose a kind, and its lens replaces the matrix."
             )
         kind = KINDS[about]
         text = self.tr("{0}: {1}.").format(_text(kind.title), _text(kind.condition))

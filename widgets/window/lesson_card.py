@@ -265,7 +265,8 @@ class LessonCard(QFrame):
         try:
             self._record.add(attempt)
         except Refusal as error:
-            self._show_notice(sentence(error))
+            # Later: an answer that settles its question hides the notice.
+            QTimer.singleShot(0, self, partial(self._show_notice, sentence(error)))
 
     def keep_now(self) -> None:
         """Save the current step, before another lesson or none is shown."""

@@ -15,7 +15,7 @@ from app.document.files import write_bytes_atomically
 from app.lessons import practice
 from app.lessons.blocks.exercise import LARGEST_SEED
 from app.lessons.practice import Sheet, Waiting, topics
-from app.lessons.record import Attempt, Record, corrected, ideas_met, in_one_line, standings
+from app.lessons.record import Attempt, Record, corrected, ideas_met, one_line, spaced, standings
 from app.lessons.results import LONGEST_STUDENT, of_test, to_json
 from app.model.refusal import Refusal, counted
 from widgets.parts.layouts import FREE, in_column, in_row, push_button
@@ -198,9 +198,9 @@ class Practice(QObject):
             path = ask_where(self._window, title, self.tr("result") + ".json", kinds, ".json")
         if not path:
             return
-        text = to_json(in_one_line(student).strip()[:LONGEST_STUDENT], attempts, __version__)
         try:
-            write_bytes_atomically(path, text.encode())
+            name = one_line("student", spaced(student).strip(), LONGEST_STUDENT)
+            write_bytes_atomically(path, to_json(name, attempts, __version__).encode())
         except Refusal as error:
             self._messages.show_message(sentence(error))
         else:

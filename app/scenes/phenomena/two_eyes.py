@@ -87,11 +87,13 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illu
     half, screen = number(settings, "separation") / 2.0, section(projection, distance)
     traces = [eye.trace([place, *screen]) for eye in (eyes.left, eyes.right)]
     pixels = np.array([np.where(t.in_front[:, None], t.image, math.nan) for t in traces])
-    apart, behind = np.round(pixels[1] - pixels[0], 9) + 0.0, WORDS.phrase("behind")
+    is_turned, behind = settings["cameras"] == "toed-in", WORDS.phrase("behind")
+    # Off axis both eyes see each point at one height; the rest is rounding.
+    apart = np.round(pixels[1] - pixels[0], 9) * (1.0, float(is_turned)) + 0.0
     across, down = apart[0].tolist() if np.isfinite(apart[0]).all() else (None, None)
     corners = np.abs(apart[1:, 1][np.isfinite(apart[1:, 1])])
     where = ("before-it", "in-it", "behind-it")[1 + int(np.sign(across or 0.0))]
-    turn = math.atan2(half, distance) if settings["cameras"] == "toed-in" else 0.0
+    turn = math.atan2(half, distance) if is_turned else 0.0
     eye, u = projection.camera.eye, projection.camera.frame[0]
     return Illustration(
         (
