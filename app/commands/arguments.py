@@ -81,7 +81,7 @@ def document_before(
     With a step, FILE is a lesson or a talk. Without a FILE, ``scene=NAME`` opens that scene with
     its own camera, as the menu does.
     """
-    scene = _texts(assignments).get("scene")
+    scene = set_texts(assignments).get("scene")
     if step is not None and file is None:
         raise CliError("--step: needs a lesson or a talk as FILE.")
     if file is not None and (step is not None or is_lesson(file)):
@@ -95,7 +95,7 @@ def document_before(
 
 def with_values(document: Document, assignments: Sequence[str]) -> Document:
     """Return a document with the values of ``--set``; a refusal names the value that was set."""
-    texts = _texts(assignments)
+    texts = set_texts(assignments)
     try:
         return set_values(document, assignments)
     except Refusal as error:
@@ -111,7 +111,7 @@ def with_values(document: Document, assignments: Sequence[str]) -> Document:
         ) from error
 
 
-def _texts(assignments: Iterable[str]) -> dict[str, str]:
+def set_texts(assignments: Iterable[str]) -> dict[str, str]:
     parts = (assignment.partition("=") for assignment in assignments)
     return {key.strip(): text.strip() for key, _, text in parts}
 
@@ -124,8 +124,10 @@ def full_path(name: str) -> str:
         raise CliError("{0!r} is in the current folder, which was deleted.", name) from error
 
 
-def check_out(name: str, out: str) -> None:
+def check_out(name: str, out: str, inputs: Iterable[str] = ()) -> None:
     """Refuse a file that cannot be written, as far as one can tell before anything is computed."""
+    if os.path.exists(out) and any(os.path.exists(i) and os.path.samefile(out, i) for i in inputs):
+        raise CliError("{0} = {1!r}: is read by this command; write to another file.", name, out)
     if os.path.isdir(out):
         raise CliError("{0} = {1!r}: is a folder.", name, out)
     needed = [out] if os.path.exists(out) else []

@@ -60,7 +60,7 @@ def _window(arguments: Sequence[str]) -> int:
     if options.screenshot is not None:
         if not options.screenshot.lower().endswith(".png"):
             raise CliError("--screenshot = {0!r}: must end in .png.", options.screenshot)
-        check_out("--screenshot", options.screenshot)
+        check_out("--screenshot", options.screenshot, words)
     for name, side in zip(("width", "height"), options.size or (), strict=False):
         if not 1 <= side <= LARGEST_IMAGE_PX:
             bound = REFUSALS["whole-pixels"]

@@ -65,7 +65,7 @@ def run(arguments: Sequence[str]) -> int:
 def _draw(options: argparse.Namespace, out: str, file: str | None) -> str:
     """Write a figure; return what is incomplete in it, in one sentence, or nothing."""
     _choose_panes(options, file)
-    _check(options, out, ENDINGS)
+    _check(options, out, file, ENDINGS)
     document = document_of(file, options.set, options.step)
     scene = load_scene(document.scene, document.mesh, file)
     warning = _warning(document, scene)  # or a `Refusal`, before any drawing
@@ -82,7 +82,7 @@ def _draw_moving(options: argparse.Namespace, out: str, file: str | None) -> str
     order, _ = sweep.order(options), sweep.speed(options)
     names = sweep.names(out, len(order))
     for name in names or [out]:
-        _check(options, name, ENDINGS if names else FILMS)
+        _check(options, name, file, ENDINGS if names else FILMS)
     if not names and (options.crop or options.width is not None):
         option = "crop" if options.crop else "width"
         raise CliError("--{0}: is for single figures; frames of a film have one size.", option)
@@ -110,7 +110,7 @@ def _draw_moving(options: argparse.Namespace, out: str, file: str | None) -> str
 
 def _draw_page(options: argparse.Namespace, out: str, file: str | None) -> str:
     _choose_panes(options, file)
-    _check(options, out, (".html",))
+    _check(options, out, file, (".html",))
     page.check(options)
     asked = page.asked(options)
     states = sweep.states(asked, file)
@@ -143,7 +143,7 @@ def _choose_panes(options: argparse.Namespace, file: str | None) -> None:
         options.panes = "equation"
 
 
-def _check(options: argparse.Namespace, out: str, endings: Sequence[str]) -> None:
+def _check(options: argparse.Namespace, out: str, file: str | None, endings: Sequence[str]) -> None:
     """Refuse options that do not fit one another, before anything is loaded."""
     ending = _ending(out)
     if ending not in endings:
@@ -163,7 +163,7 @@ def _check(options: argparse.Namespace, out: str, endings: Sequence[str]) -> Non
         raise CliError("--width: is cropped, and its height is free; leave out --size and --crop.")
     if "/" in options.panes and "," in options.panes:
         raise CliError("--panes = {0!r}: must be a row or a column, not both.", options.panes)
-    check_out("OUT", out)
+    check_out("OUT", out, [file] if file else [])
 
 
 def _check_film(options: argparse.Namespace, out: str, sizes: set[tuple[int, int]]) -> None:

@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from app.commands.aligned import lengths, lens_line, plain, widths
-from app.commands.arguments import document_of, set_letters
+from app.commands.arguments import document_of, set_letters, set_texts
 from app.commands.options import Parser
 from app.commands.terminal import CliError, write_out
 from app.document.document import CAMERA_P
@@ -54,18 +54,16 @@ def run(arguments: Sequence[str]) -> int:
     elif options.chain:
         write_out([_chain(projection, options)])
     else:
-        parts = _of_p(options.set) if options.format == "text" else ""
-        write_out([(_text if options.format == "text" else _json)(projection), parts])
+        is_text = options.format == "text"
+        write_out([_text(projection), _of_p(options.set)] if is_text else [_json(projection)])
     return 0
 
 
 def _of_p(assignments: Sequence[str]) -> str:
     """Return the parts of a camera matrix that was set, and what it does not say."""
-    pairs = (each.partition("=") for each in assignments)
-    texts = [text for name, _, text in pairs if name.strip() == CAMERA_P.path]
-    if not texts:
+    if (text := set_texts(assignments).get(CAMERA_P.path)) is None:
         return ""
-    scale, k, rotation, translation = taken_apart(read_matrix(texts[-1]))
+    scale, k, rotation, translation = taken_apart(read_matrix(text))
     notes = [
         said("for x right, y down, z forward; pixels from the centre of the first one"),
         said("scale = {0} is free, and so is its sign", format_value(scale)),

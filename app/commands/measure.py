@@ -45,7 +45,7 @@ def run(arguments: Sequence[str]) -> int:
     # Check now: the measurement takes long.
     for option, out in targets.items():
         if out != "-":
-            check_out(option, out)
+            check_out(option, out, words)
     terminal.standard_output()
     settings = [*options.set, *([f"scene={options.scene}"] if options.scene else [])]
     file = words[0] if words else None

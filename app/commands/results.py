@@ -32,7 +32,7 @@ def results(options: argparse.Namespace, files: Sequence[str]) -> int:
     if not files:
         raise CliError("lesson results needs a FILE.")
     if options.csv:
-        check_out("--csv", options.csv)
+        check_out("--csv", options.csv, files)
     read_files: list[tuple[str, StudentResults]] = []
     names = [Path(file).name for file in files]
     for file, name in zip(files, names, strict=True):

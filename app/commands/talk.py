@@ -28,7 +28,7 @@ def run(arguments: Sequence[str]) -> int:
     if options.handout is not None:
         if not options.handout.lower().endswith((".pdf", ".html")):
             raise CliError("--handout = {0!r}: must end in .pdf or .html.", options.handout)
-        check_out("--handout", options.handout)
+        check_out("--handout", options.handout, [name])
     readers = options.readers or READERS[0]
     one_of("--for", readers, READERS)
     if options.readers and options.handout is None:

@@ -233,6 +233,8 @@ def _numbers(group: Group, names: Sequence[str], *counts: int) -> list[float]:
         shown, least = " ".join(map(str, tokens)), counts[0] if counts else len(tokens)
         bound = REFUSALS["finite-number"] if least == 1 else REFUSALS["numbers"]
         raise Refusal.in_document(bound, least, field=key, value=shown)
+    if counts[:1] == (16,) and len(given) == 16 and given[12:] != [0.0, 0.0, 0.0, 1.0]:
+        raise Refusal.in_document(REFUSALS["last-row"], field=key, value=given[12:])
     return given
 
 

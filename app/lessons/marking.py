@@ -18,7 +18,7 @@ from typing import NamedTuple
 from app.lessons.quantities import FUNCTIONS, RATIONAL
 from app.model.formula import Arithmetic, Call, Formula, Letter, Number, Product, Quotient, parse
 from app.model.limits import LARGEST
-from app.model.refusal import REFUSALS, Refusal
+from app.model.refusal import REFUSALS, Refusal, format_value
 
 DIGITS = 3  # significant digits required of an inexact number
 EXACT = Fraction(1, 10**9)
@@ -439,4 +439,5 @@ def remark(typed: TypedNumber, value: float) -> Refusal | None:
     away = float(max(ratio, 1 / ratio))
     if away < 1.05:
         return Refusal.saying(REFUSALS["nearly"])
-    return Refusal.saying(REFUSALS["large"] if ratio > 1 else REFUSALS["small"], f"{away:.2g}")
+    factor = format_value(float(f"{away:.2g}"))
+    return Refusal.saying(REFUSALS["large"] if ratio > 1 else REFUSALS["small"], factor)

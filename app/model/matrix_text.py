@@ -36,21 +36,20 @@ def read_matrix(
             others = _lines(with_commas)
             other = sum(map(len, others))
             if other in sizes:
-                if count in sizes:
+                if count in sizes and others != lines:
                     raise _refused(REFUSALS["commas"], other, count)
                 lines, count = others, other
+        if count not in sizes and len(sizes) > 1:
+            raise _refused(REFUSALS["count"], count)
         if count not in sizes:
-            raise (
-                _refused(REFUSALS["count"], count)
-                if len(sizes) > 1
-                else _refused(REFUSALS["count-of"], *sizes, count)
-            )
+            raise _refused(REFUSALS["count-of"], *sizes, count)
     except Refusal as error:
         raise Refusal.in_document(error.bound, *error.limits, field=field, value=text) from None
-    width = 3 if count == 9 or (count == 12 and {len(line) for line in lines} == {3}) else 4
+    is_narrow = {len(line) for line in lines} == {3} or re.search(r"(?i)[a-z]4x3|\[4\]\[3\]", text)
+    width = 3 if count == 9 or (count == 12 and is_narrow) else 4
     flat = [number for line in lines for number in line]
     rows = [flat[i : i + width] for i in range(0, count, width)]
-    return list(map(list, zip(*rows, strict=True))) if _BY_COLUMNS.search(text) else rows
+    return list(map(list, zip(*rows, strict=True))) if is_by_columns(text) else rows
 
 
 def _refused(bound: object, *limits: object) -> Refusal:
@@ -59,16 +58,21 @@ def _refused(bound: object, *limits: object) -> Refusal:
 
 # --------------------------------------------------------------------------- what is left away
 
-_BY_COLUMNS = re.compile(
-    r"\b[df]?mat[234](?:x[234])?(?:<[a-z0-9]{1,4}>)?\s?[({]|\bmatrix3d\(|\belements\b|\bx_axis\b",
-    re.IGNORECASE,
-)
-"""The constructors of glm, GLSL, WGSL and glMatrix, CSS, three.js, and glam."""
+is_by_columns = re.compile(
+    r"(?i)\b[df]?mat\d(?:x\d)?[fh]?(?:<[a-z0-9]{1,4}>)?(?:\.[a-z]{3,10}|\s\w{1,40}\s?=?)?\s?[({]"
+    r"|\b(?:matrix3d|DOMMatrix|make(?:_mat[34]|Basis)|from(?:Array|_?col\w{0,20}|_vec)|setColumn"
+    r"|ArrayStorage|simd_matrix)\s?\(|\b(?:simd|matrix)_[a-z]{4,6}[34]x[34]\s?\((?!rows)"
+    r"|\bcolumns(?:\s?:\s?\(|\.[0-3])|\(\[?SIMD[34]|\[[0-3]\] ?= ?(?:\w{1,20}::)?[df]?vec[34]\("
+    r"|\bnew\b[^(]{0,40}\(\s{0,40}new\b[^(]{0,20}(?:Vector|float)[34]|\bcolumn[- ]major\b"
+    r"|\belements[\"']?\s?[=:]\s?\w{0,20}(?:\(\d{1,2}\))?\s?[\[{(]|\bx_axis\b"
+    r"|\b(?:Basis|Projection|Transform3D)\(\s{0,40}Vector|Base<Eigen::Matrix<\w+, ?\d, ?\d, ?0\b"
+).search
+"""Whether GLSL, WGSL, glm, glMatrix, CSS, three.js, Rust, Metal, Unity, Godot or gdb wrote it."""
 
 _CHARACTERS = str.maketrans(
     {
         **dict.fromkeys("\u2212\u2013\u2010\u2011\ufe63\uff0d", "-"),
-        **dict.fromkeys("\ufeff\u200b\u00a0\u2007\u2009\u202f\t\r\f\v~`⎡⎢⎣⎤⎥⎦⎛⎜⎝⎞⎟⎠│┃", " "),
+        **dict.fromkeys("\ufeff\u200b\u00a0\u2007\u2009\u202f\t\r\f\v~`⎡⎢⎣⎤⎥⎦⎛⎜⎝⎞⎟⎠│┃┌┐└┘", " "),
         **dict.fromkeys("\u2028\u2029\x85", "\n"),
     }
 )
@@ -83,7 +87,7 @@ _LEFT_AWAY = re.compile(
     r"|leftarrow|rightarrow|to|ldots)(?![a-zA-Z])"
     r"|\b(?:shape|size|rows|cols) ?[=:] ?(?:[(\[{][0-9, x]{0,20}[)\]}]|[0-9]{1,3})"
     r"|\b[0-9]{1,2} ?[x×] ?[0-9]{1,2}\b(?! ?[.,0-9])"  # 4x4
-    r"|\((?:16|12|9)\) ?(?=\[)"  # the length of JavaScript's arrays
+    r"|\((?:16|12|9)\) ?(?=\[)|\([34][,.] ?[34]\) ?(?==)"  # sizes of arrays: JavaScript, OpenCV
     # Headings of R and lldb, and MATLAB's continued line:
     r"|\[[0-9]{1,2}, ?\]|\[ ?,[0-9]{1,2}\]|(?<![\w\]])\[[0-9]{1,2}\] ?=|\.\.\.+"
     r"|\[[34]\]\[[34]\]|\[\[f(?:32|64); ?[0-9]\]; ?[0-9]\]|[<>]|---"  # types of C and Rust
@@ -103,6 +107,7 @@ _TOKEN = re.compile(
     r"|(?P<sign>[+-])|(?P<times>\*)|(?P<other>\.\w*|.)",
     re.IGNORECASE,
 )
+_FUNCTION = re.compile(r"(?i)(?:^|\W|XMMatrix)(?:p?inv|inver\w+|transpose|\w*[hn]_?stack|c_|dot)$")
 _NAMES = re.compile(r"[^\W\d]\w*").fullmatch
 _ITEM = re.compile(r"- (- )?(\S+)")
 _QUOTED = re.compile(rf".[+-]?{_UNSIGNED}.")
@@ -198,6 +203,8 @@ class _MatrixTextReader:
             elif kind == "names":
                 label, word = word, ""
             elif kind == "open":
+                if before == "word" and _FUNCTION.search(word):
+                    raise _not_read(f"{word}(...)")
                 self.open.append((word, self.count))
                 word = ""
             elif kind == "close":

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from app.model.depth import DepthBuffer
 from app.model.projection import PLANES, Projection, Vector
-from app.model.refusal import HEALTH, REFUSALS, Refusal
+from app.model.refusal import HEALTH, REFUSALS, Refusal, format_value
 from app.precision.levels import Precision, Prediction, precision_for_reading, rounded_up
 
 _GAP = 1e-3  # of the scene's size: surfaces closer together than this are drawn
@@ -63,12 +63,12 @@ def risks(
         gap = float(DepthBuffer("fixed24", projection.depth, lens).gap(distance))
         if gap > _GAP * size:
             present.append(
-                Risk(HEALTH["wide-gap"], (f"{rounded_up(gap, 2):.2g}",))
+                Risk(HEALTH["wide-gap"], (format_value(rounded_up(gap, 2)),))
                 if gap < math.inf
                 else Risk(HEALTH["no-gap"])
             )
     if drawn != "float32" and drawing_px >= _SEEN_PX:
-        rough = Risk(HEALTH["rough-drawing"], (f"{rounded_up(drawing_px, 2):.2g}",))
+        rough = Risk(HEALTH["rough-drawing"], (format_value(rounded_up(drawing_px, 2)),))
         present.append(rough if drawing_px < math.inf else Risk(HEALTH["no-float32"]))
     if predictions is not None and precision_for_reading(predictions) == "exact":
         present.append(Risk(HEALTH["few-digits"], tuple(map(_decimals, predictions["float64"]))))

@@ -41,8 +41,8 @@ def read_gltf(source: MeshSource) -> Mesh:
         data, body = _chunks(source, data)
     elif path.suffix.lower() == ".glb":
         raise Refusal.saying(REFUSALS["not-of-kind"], path, "GLB")
-    if data.count(b"[") + data.count(b"{") > _MOST_BRACKETS:
-        raise Refusal.saying(REFUSALS["no-memory"], path)
+    if (count := data.count(b"[") + data.count(b"{")) > _MOST_BRACKETS:
+        raise Refusal.saying(REFUSALS["brackets"], path, count, _MOST_BRACKETS)
     try:
         return _Gltf(source, json.loads(decode(data)[0]), body).mesh()
     except json.JSONDecodeError as error:

@@ -274,7 +274,7 @@ def _stl_text(source: MeshSource) -> Floats:
         source.check_size(3 * triangles, triangles, 3 * triangles)
         blocks.append(numbers)
         source.report(min(0.3, 0.3 * source.file.tell() / source.size))
-    if b"vertex" in _without_stl_names(rest):
+    if re.search(rb"vertex|\bfacet", _without_stl_names(rest)):
         raise Refusal.saying(REFUSALS["cut-off"], source.path)
     return np.concatenate(blocks).reshape(-1, 3)
 

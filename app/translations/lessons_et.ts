@@ -8086,8 +8086,8 @@
         <translation>Planaarne geomeetriline projektsioon viib ruumi punkte tasandile sirgjoonte abil. Sirged on paralleelsed või kohtuvad ühes punktis.</translation>
     </message>
     <message>
-        <source>A projection can be anything: in linear algebra a map with no inverse, in geography the making of a map. Here it is a plane and straight lines. Walk through the tree from left to right and click each kind: cavalier, isometric, 2-point. The F is drawn in that projection at once. The sentence below the tree gives the condition for that kind. Ask which kinds keep equal lengths equal: the parallel ones.</source>
-        <translation>Projektsioon võib olla mis tahes: lineaaralgebras mittepööratav teisendus, geograafias kaardi tegemine. Siin on see tasand ja sirged. Käige puu vasakult paremale läbi ja klõpsake igal liigil: cavalier, isomeetriline, 2-punkti. F joonistatakse kohe selles projektsioonis. Lause puu all annab selle liigi tingimuse. Küsige, millised liigid jätavad võrdsed pikkused võrdseks: paralleelsed.</translation>
+        <source>A projection can be anything: in linear algebra a map with no inverse, in geography the making of a map. Here it is a plane and straight lines. Walk through the tree from left to right and click each kind: cavalier, isometric, 2-point. Its box is framed and shows a cube in that projection. The sentence below the tree gives the condition for that kind. Ask which kinds keep equal lengths equal: the parallel ones.</source>
+        <translation>Projektsioon võib olla mis tahes: lineaaralgebras mittepööratav teisendus, geograafias kaardi tegemine. Siin on see tasand ja sirged. Käige puu vasakult paremale läbi ja klõpsake igal liigil: cavalier, isomeetriline, 2-punkti. Selle liigi kast tõstetakse esile; seal on kuup selles projektsioonis. Lause puu all annab selle liigi tingimuse. Küsige, millised liigid jätavad võrdsed pikkused võrdseks: paralleelsed.</translation>
     </message>
     <message>
         <source>Orthographic: drop z</source>

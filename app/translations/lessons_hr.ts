@@ -8086,8 +8086,8 @@
         <translation>Ravninska geometrijska projekcija preslikava točke prostora na ravninu duž pravaca. Pravci su paralelni ili se sijeku u jednoj točki.</translation>
     </message>
     <message>
-        <source>A projection can be anything: in linear algebra a map with no inverse, in geography the making of a map. Here it is a plane and straight lines. Walk through the tree from left to right and click each kind: cavalier, isometric, 2-point. The F is drawn in that projection at once. The sentence below the tree gives the condition for that kind. Ask which kinds keep equal lengths equal: the parallel ones.</source>
-        <translation>Projekcija može biti bilo što: u linearnoj algebri preslikavanje bez inverza, u geografiji izrada karte. Ovdje su to ravnina i pravci. Prođite stablo slijeva nadesno i kliknite svaku vrstu: kavalirsku, izometrijsku, 2 nedogleda. F se odmah crta u toj projekciji. Rečenica ispod stabla daje uvjet za tu vrstu. Pitajte koje vrste čuvaju jednakost jednakih duljina: paralelne.</translation>
+        <source>A projection can be anything: in linear algebra a map with no inverse, in geography the making of a map. Here it is a plane and straight lines. Walk through the tree from left to right and click each kind: cavalier, isometric, 2-point. Its box is framed and shows a cube in that projection. The sentence below the tree gives the condition for that kind. Ask which kinds keep equal lengths equal: the parallel ones.</source>
+        <translation>Projekcija može biti bilo što: u linearnoj algebri preslikavanje bez inverza, u geografiji izrada karte. Ovdje su to ravnina i pravci. Prođite stablo slijeva nadesno i kliknite svaku vrstu: kavalirsku, izometrijsku, 2 nedogleda. Njezin se okvir istakne i prikazuje kocku u toj projekciji. Rečenica ispod stabla daje uvjet za tu vrstu. Pitajte koje vrste čuvaju jednakost jednakih duljina: paralelne.</translation>
     </message>
     <message>
         <source>Orthographic: drop z</source>

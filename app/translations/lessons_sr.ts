@@ -8086,8 +8086,8 @@
         <translation>Равнинска геометријска пројекција преноси тачке простора на раван дуж правих. Праве су паралелне, или се секу у једној тачки.</translation>
     </message>
     <message>
-        <source>A projection can be anything: in linear algebra a map with no inverse, in geography the making of a map. Here it is a plane and straight lines. Walk through the tree from left to right and click each kind: cavalier, isometric, 2-point. The F is drawn in that projection at once. The sentence below the tree gives the condition for that kind. Ask which kinds keep equal lengths equal: the parallel ones.</source>
-        <translation>Пројекција може бити свашта: у линеарној алгебри пресликавање без инверза, у географији израда карте. Овде су то раван и праве. Прођите кроз стабло слева надесно и кликните на сваку врсту: кавалјер, изометрија, 2 недогледа. Слово F се одмах црта у тој пројекцији. Реченица испод стабла даје услов за ту врсту. Питајте које врсте једнаким дужинама чувају једнакост: паралелне.</translation>
+        <source>A projection can be anything: in linear algebra a map with no inverse, in geography the making of a map. Here it is a plane and straight lines. Walk through the tree from left to right and click each kind: cavalier, isometric, 2-point. Its box is framed and shows a cube in that projection. The sentence below the tree gives the condition for that kind. Ask which kinds keep equal lengths equal: the parallel ones.</source>
+        <translation>Пројекција може бити свашта: у линеарној алгебри пресликавање без инверза, у географији израда карте. Овде су то раван и праве. Прођите кроз стабло слева надесно и кликните на сваку врсту: кавалјер, изометрија, 2 недогледа. Њен оквир се истакне и приказује коцку у тој пројекцији. Реченица испод стабла даје услов за ту врсту. Питајте које врсте једнаким дужинама чувају једнакост: паралелне.</translation>
     </message>
     <message>
         <source>Orthographic: drop z</source>

@@ -1892,6 +1892,10 @@
         <translation>{0} = {1!r}: on toru või seade, mitte tavaline fail.</translation>
     </message>
     <message>
+        <source>{0} = {1!r}: is read by this command; write to another file.</source>
+        <translation>{0} = {1!r}: seda faili loeb see käsk; kirjutage mõnda teise faili.</translation>
+    </message>
+    <message>
         <source>{0} = {1!r}: may not be written.</source>
         <translation>{0} = {1!r}: kirjutamine ei ole lubatud.</translation>
     </message>
@@ -8346,6 +8350,10 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>peab andma sama korrutise, mida näitab olek: seal on {0} teistsugune</translation>
     </message>
     <message>
+        <source>must be 0, 0, 0, 1, the last row of a pose: perhaps rows and columns are exchanged</source>
+        <translation>peab olema 0, 0, 0, 1, asendi viimane rida: võib-olla on read ja veerud vahetuses</translation>
+    </message>
+    <message>
         <source>must have three numbers for each rotation, which has three or nine</source>
         <translation>igal pöördel peab olema kolm arvu; pöördel on neid kolm või üheksa</translation>
     </message>
@@ -8692,6 +8700,10 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     <message>
         <source>{0}: there is no such file; check its name and folder.</source>
         <translation>{0}: sellist faili ei ole; kontrollige selle nime ja kausta.</translation>
+    </message>
+    <message>
+        <source>{0}: its description has {1} lists and objects, but may have at most {2}; make it smaller.</source>
+        <translation>{0}: kirjelduses on {1} loendit ja objekti, aga lubatud on kõige rohkem {2}; tehke fail väiksemaks.</translation>
     </message>
     <message>
         <source>{0}: there is not enough memory to read it; make it smaller, or close other programs.</source>

@@ -1892,6 +1892,10 @@
         <translation>{0} = {1!r}: to je cijev ili uređaj, a ne obična datoteka.</translation>
     </message>
     <message>
+        <source>{0} = {1!r}: is read by this command; write to another file.</source>
+        <translation>{0} = {1!r}: tu datoteku čita ova naredba; zapišite u neku drugu.</translation>
+    </message>
+    <message>
         <source>{0} = {1!r}: may not be written.</source>
         <translation>{0} = {1!r}: nema dopuštenja za pisanje.</translation>
     </message>
@@ -8362,6 +8366,10 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>mora imati umnožak koji stanje pokazuje, a to je druga matrica {0}</translation>
     </message>
     <message>
+        <source>must be 0, 0, 0, 1, the last row of a pose: perhaps rows and columns are exchanged</source>
+        <translation>mora biti 0, 0, 0, 1, posljednji redak položaja i orijentacije: možda su retci i stupci zamijenjeni</translation>
+    </message>
+    <message>
         <source>must have three numbers for each rotation, which has three or nine</source>
         <translation>mora imati tri broja za svaku rotaciju, koja ih ima tri ili devet</translation>
     </message>
@@ -8708,6 +8716,10 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     <message>
         <source>{0}: there is no such file; check its name and folder.</source>
         <translation>{0}: nema takve datoteke; provjerite ime i mapu.</translation>
+    </message>
+    <message>
+        <source>{0}: its description has {1} lists and objects, but may have at most {2}; make it smaller.</source>
+        <translation>{0}: opis ima {1} popisa i objekata, a smije ih imati najviše {2}; smanjite datoteku.</translation>
     </message>
     <message>
         <source>{0}: there is not enough memory to read it; make it smaller, or close other programs.</source>

@@ -1892,6 +1892,10 @@
         <translation>{0} = {1!r}: ово је цев или уређај, а не обична датотека.</translation>
     </message>
     <message>
+        <source>{0} = {1!r}: is read by this command; write to another file.</source>
+        <translation>{0} = {1!r}: ову датотеку чита ова наредба; упишите у неку другу.</translation>
+    </message>
+    <message>
         <source>{0} = {1!r}: may not be written.</source>
         <translation>{0} = {1!r}: упис није дозвољен.</translation>
     </message>
@@ -8362,6 +8366,10 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>мора да има производ који показује стање, а то је друга матрица {0}</translation>
     </message>
     <message>
+        <source>must be 0, 0, 0, 1, the last row of a pose: perhaps rows and columns are exchanged</source>
+        <translation>мора да буде 0, 0, 0, 1, последња врста положаја: можда су врсте и колоне замењене</translation>
+    </message>
+    <message>
         <source>must have three numbers for each rotation, which has three or nine</source>
         <translation>мора да има три броја за сваку ротацију, која има три или девет</translation>
     </message>
@@ -8708,6 +8716,10 @@ An error in {3} is {2} times as large in u and v.</source>
     <message>
         <source>{0}: there is no such file; check its name and folder.</source>
         <translation>{0}: нема такве датотеке; проверите име и фасциклу.</translation>
+    </message>
+    <message>
+        <source>{0}: its description has {1} lists and objects, but may have at most {2}; make it smaller.</source>
+        <translation>{0}: опис има {1} спискова и објеката, а сме да их има највише {2}; смањите датотеку.</translation>
     </message>
     <message>
         <source>{0}: there is not enough memory to read it; make it smaller, or close other programs.</source>

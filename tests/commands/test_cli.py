@@ -1283,6 +1283,31 @@ def test_bad_export_is_refused(arguments: list[str], words: str) -> None:
     assert not (ROOT / "figure.png").exists()
 
 
+@pytest.mark.parametrize(
+    ("arguments", "option"),
+    [
+        (["export", "{}.png", "{}.png"], "OUT"),
+        (["export", "{}-%02d.png", "{}-01.png", "--orbit=90", "--frames=2"], "OUT"),
+        (["measure", "{}.json", "--json={}.json"], "--json"),
+        (["measure", "{}.png", "--chart={}.png"], "--chart"),
+        (["talk", "{}.html", "--handout={}.html"], "--handout"),
+        (["lesson", "results", "{}.json", "--csv={}.json"], "--csv"),
+        (["{}.png", "--screenshot={}.png"], "--screenshot"),
+    ],
+    ids=lambda value: value[-1] if isinstance(value, list) else value,
+)
+def test_no_command_overwrites_what_it_reads(
+    tmp_path: Path, arguments: list[str], option: str
+) -> None:
+    files = [tmp_path / name for name in ("a.png", "a-01.png", "a.json", "a.html")]
+    for file in files:
+        file.write_text("kept", encoding="utf-8")
+    *others, last = (each.format(tmp_path / "a") for each in arguments)
+    said = one_sentence(run_here(*others, last), 2)
+    assert said.startswith(f"{option} = ") and "is read by this command" in said
+    assert {file.read_text(encoding="utf-8") for file in files} == {"kept"}
+
+
 def test_export_to_a_full_disk_is_a_sentence(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

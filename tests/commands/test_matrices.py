@@ -84,6 +84,11 @@ def test_a_matrix_is_set_as_its_text(text: str) -> None:
     assert "-1.002  -0.2002" in done.stdout
 
 
+def test_opencvs_lens_is_refused_by_the_name_that_is_set() -> None:
+    done = run_here("matrices", "--convention=opencv", "--set=lens.kind=oblique")
+    assert one_sentence(done, 2) == "lens.kind = 'oblique': must be one of perspective, frustum.\n"
+
+
 def test_a_matrix_of_another_convention_is_described() -> None:
     text = NUMPY.replace("-1.002", "1.002").replace("-1,0", "1,0")
     done = run_here("matrices", "--set=lens.kind=matrix", f"--set=lens.clip_from_view={text}")

@@ -233,6 +233,16 @@ def test_a_turned_camera_with_few_digits_is_read() -> None:
     np.testing.assert_allclose(frame, np.array(rows)[:, :3].T, atol=1e-3)
 
 
+def test_a_pose_with_rows_and_columns_exchanged_is_refused() -> None:
+    turned = np.transpose(EYE_BACK).tolist()
+    wanted = " = [0.8, 1, 1.2, 1]: must be 0, 0, 0, 1, the last row of a pose"
+    assert f"a.json: transform_matrix{wanted}" in refusal(
+        "a.json", nerf({"transform_matrix": turned})
+    )
+    k = [[500, 0, 320], [0, 500, 240], [0, 0, 1]]
+    assert f"b.json: extrinsic{wanted}" in refusal("b.json", {"K": k, "extrinsic": turned})
+
+
 # --------------------------------------------------------------------------- one view of several
 
 

@@ -312,6 +312,9 @@ def test_what_lacks_only_digits_is_told_apart_from_what_is_wrong() -> None:
         ("97", 91.4928, "too large, by a factor of about 1.1."),
         ("130", 91.4928, "too large, by a factor of about 1.4."),
         ("87", 91.4928, "too small, by a factor of about 1.1."),
+        ("400", 3.2, "too large, by a factor of about 120."),
+        ("1000", 10.04, "too large, by a factor of about 100."),
+        ("0.001", 123.0, "too small, by a factor of about 120000."),
     ],
 )  # fmt: skip
 def test_a_wrong_number_is_told_how_it_is_wrong(text: str, value: float, said: str) -> None:

@@ -422,7 +422,7 @@ def test_the_minus_1_to_1_range_loses_a_float_buffers_fine_steps() -> None:
         ({"mapping": ["opengl"]}, "mapping"),
         ({"lens": Perspective(far=math.inf), "mapping": "logarithmic"}, "far"),
         ({"lens": Orthographic(), "mapping": "logarithmic"}, "mapping"),
-        ({"lens": FreeMatrix(IDENTITY)}, "kind"),
+        ({"lens": FreeMatrix(IDENTITY)}, "lens.kind"),
     ],
 )
 def test_an_impossible_buffer_is_named(change: dict[str, object], field: str) -> None:

@@ -110,6 +110,13 @@ AS_WRITTEN = {
               " {0, 0, 0, 1}}",
     "gdb Eigen": EIGEN_IN_GDB,
     "lldb": LLDB,
+    "HLSL": "float4x4 view = float4x4(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, -5.25, 0, 0, 0, 1);",
+    "Swift rows": "float4x4(rows: [SIMD4<Float>(1,0,0,0), SIMD4<Float>(0,1,0,0), "
+                  "SIMD4<Float>(0,0,1,-5.25), SIMD4<Float>(0,0,0,1)])",
+    "three.js rows": "new THREE.Matrix4().set(1,0,0,0,0,1,0,0,0,0,1,-5.25,0,0,0,1)",
+    "OpenCV": "cv::Mat V = (cv::Mat_<double>(4, 4) << 1,0,0,0,0,1,0,0,0,0,1,-5.25,0,0,0,1);",
+    "prose of elements": "the elements of my matrix are:\n1 0 0 0\n0 1 0 0\n0 0 1 -5.25\n0 0 0 1",
+    "a matrix called inverse": "inverse = [1 0 0 0; 0 1 0 0; 0 0 1 -5.25; 0 0 0 1]",
     "names with indices": "m00 = 1 m10 = 0 m20=0 m30=0 m01=0 m11=1 m21=0 m31=0 m02=0 m12=0 m22=1 "
                           "m32=0 m03=0 m13=0 m23=-5.25 m33=1",
     "cells": "\n".join(f"m[{i}][{j}] = {VIEW[i][j]};" for i in range(4) for j in range(4)),
@@ -122,6 +129,8 @@ AS_WRITTEN = {
     "Mathematica": "{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, -525*^-2}, {0, 0, 0, 1}}",
     "Fortran": "1.0D+00 0 0 0 0 1 0 0 0 0 1 -5.25D+00 0 0 0 1",
     "Unicode": "⎡1  0  0  0  ⎤\n⎢0  1  0  0  ⎥\n⎢0  0  1  −21/4⎥\n⎣0  0  0  1  ⎦",
+    "nalgebra printed": "\n  ┌                ┐\n  │ 1 0 0     0 │\n  │ 0 1 0     0 │\n"
+                        "  │ 0 0 1 -5.25 │\n  │ 0 0 0     1 │\n  └                ┘\n",
     "powers": "1 0 0 0\n0 1 0 0\n0 0 1 -52.5·10⁻¹\n0 0 0 1",
     "a table": "| 1 | 0 | 0 | 0 |\n| 0 | 1 | 0 | 0 |\n| 0 | 0 | 1 | -5.25 |\n| 0 | 0 | 0 | 1 |",
     "quoted": '"1","0","0","0"\r\n"0","1","0","0"\r\n"0","0","1","-5.25"\r\n"0","0","0","1"\r\n',
@@ -148,6 +157,31 @@ BY_COLUMNS = {
     "three.js": '{"metadata": {}, "elements": [1,0,0,0,0,1,0,0,0,0,1,0,0,0,-5.25,1]}',
     "glam": "Mat4 { x_axis: Vec4(1.0, 0.0, 0.0, 0.0), y_axis: Vec4(0.0, 1.0, 0.0, 0.0), "
             "z_axis: Vec4(0.0, 0.0, 1.0, 0.0), w_axis: Vec4(0.0, 0.0, -5.25, 1.0) }",
+    "glm variable": "glm::mat4 view(1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,-5.25f,1);",
+    "glm braces": "const mat4 view = {{1,0,0,0}, {0,1,0,0}, {0,0,1,0}, {0,0,-5.25f,1}};",
+    "glm columns": "m[0] = glm::vec4(1,0,0,0); m[1] = glm::vec4(0,1,0,0);\n"
+                   "m[2] = glm::vec4(0,0,1,0); m[3] = glm::vec4(0,0,-5.25,1);",
+    "glMatrix": "mat4.fromValues(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -5.25, 1)",
+    "WGSL short": "mat4x4f(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -5.25, 1)",
+    "DOM": "new DOMMatrix([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -5.25, 1])",
+    "three.js array": "new THREE.Matrix4().fromArray([1,0,0,0,0,1,0,0,0,0,1,0,0,0,-5.25,1])",
+    "three.js elements": "camera.matrixWorld.elements = [1,0,0,0,0,1,0,0,0,0,1,0,0,0,-5.25,1];",
+    "Unity": "new Matrix4x4(new Vector4(1,0,0,0), new Vector4(0,1,0,0),\n"
+             "    new Vector4(0,0,1,0), new Vector4(0,0,-5.25f,1))",
+    "SetColumn": "m.SetColumn(0, new Vector4(1,0,0,0)); m.SetColumn(1, new Vector4(0,1,0,0));\n"
+                 "m.SetColumn(2, new Vector4(0,0,1,0)); m.SetColumn(3, new Vector4(0,0,-5.25f,1));",
+    "glam array": "DMat4::from_cols_array(&[1.,0.,0.,0.,0.,1.,0.,0.,0.,0.,1.,0.,0.,0.,-5.25,1.])",
+    "nalgebra": "Matrix4::from_column_slice(&[1.,0.,0.,0.,0.,1.,0.,0.,0.,0.,1.,0.,0.,0.,-5.25,1.])",
+    "Swift": "simd_float4x4([[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], "
+             "[0.0, 0.0, -5.25, 1.0]])",
+    "Swift columns": "float4x4(columns: (SIMD4<Float>(1,0,0,0), SIMD4<Float>(0,1,0,0), "
+                     "SIMD4<Float>(0,0,1,0), SIMD4<Float>(0,0,-5.25,1)))",
+    "Godot": "Projection(Vector4(1,0,0,0), Vector4(0,1,0,0), Vector4(0,0,1,0), "
+             "Vector4(0,0,-5.25,1))",
+    "gdb Eigen": EIGEN_IN_GDB.replace("4, 4, 1", "4, 4, 0").replace(
+        "-5.25, 0, 0, 0", "0, 0, 0, -5.25"
+    ),
+    "a comment": "float m[16] = {1,0,0,0,0,1,0,0,0,0,1,0,0,0,-5.25f,1}; // column-major",
 }  # fmt: skip
 
 
@@ -169,6 +203,11 @@ def test_a_notation_with_columns_first_is_transposed(writer: str) -> None:
         ("1,5;0;0;0;2,5;0;0;0;1", [[1.5, 0, 0], [0, 2.5, 0], [0, 0, 1]]),
         ("1 0 0 7\n0 1 0 8\n0 0 1 9\n", [[1, 0, 0, 7], [0, 1, 0, 8], [0, 0, 1, 9]]),
         ("1 0 0 7 0 1 0 8 0 0 1 9", [[1, 0, 0, 7], [0, 1, 0, 8], [0, 0, 1, 9]]),
+        ("mat4x3(1, 0, 0, 0, 1, 0, 0, 0, 1, 7, 8, 9)", [[1, 0, 0, 7], [0, 1, 0, 8], [0, 0, 1, 9]]),
+        ("float4x3(1, 0, 0, 0, 1, 0, 0, 0, 1, 7, 8, 9)",
+         [[1, 0, 0], [0, 1, 0], [0, 0, 1], [7, 8, 9]]),
+        ("cv::Mat K = (cv::Mat_<int>(3,3) << 8, 0, 3, 0, 8, 2, 0, 0, 1);",
+         [[8, 0, 3], [0, 8, 2], [0, 0, 1]]),
         ("[X: (1, 0, 0), Y: (0, 1, 0), Z: (0, 0, 1), O: (7, 8, 9)]",
          [[1, 0, 0], [0, 1, 0], [0, 0, 1], [7, 8, 9]]),
         ("%YAML:1.0\n---\nK: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n   data: [ 800., "
@@ -214,6 +253,11 @@ def test_three_rows_are_read_too(text: str, rows: Any) -> None:
         ("1 0 0 0 1 0 0 0 2*3", r"numbers, but has \*"),
         ("0x10 0 0 0 1 0 0 0 1", "numbers, but has 0x10"),
         ("np.array([[1, 0, 0], [0, 1, 0], [0, 0, 1]]).T", "numbers, but has .T"),
+        ("np.linalg.inv([[1, 0, 0], [0, 1, 0], [0, 0, 1]])", r"has np.linalg.inv\(...\)"),
+        ("glm::inverse(glm::mat3(1, 0, 0, 0, 1, 0, 0, 0, 1))", r"has glm::inverse\(...\)"),
+        ("np.hstack(([[1, 0, 0], [0, 1, 0], [0, 0, 1]], [[7], [8], [9]]))", r"np.hstack\(...\)"),
+        ("np.column_stack(([1, 0, 0], [0, 1, 0], [0, 0, 1]))", r"np.column_stack\(...\)"),
+        ("XMMatrixTranspose(XMMATRIX(" + "1, " * 15 + "1))", r"has XMMatrixTranspose\(...\)"),
         ("[1 0 0; 0 1 0; 0 0 1]'", "numbers, but has '"),
         ("1,5 0 0 0 0,5 0 0 0 1,5", "9 numbers with decimal commas or as 12 numbers"),
         ("1 0 0\n" * 10_000, f"up to {LONGEST} characters"),

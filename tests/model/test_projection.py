@@ -1289,7 +1289,7 @@ REFUSED: list[tuple[Callable[[], object], str]] = [
     # planes, focal lengths and intrinsics
     (lambda: Projection(lens=Frustum()).between(0, 5), "near = 0: must be greater than 0."),
     (lambda: Projection(lens=Oblique()).intrinsics,
-     "kind = 'oblique': must be one of perspective, frustum."),
+     "lens.kind = 'oblique': must be one of perspective, frustum."),
     (lambda: Projection().with_intrinsics((0, 1, 2, 3)), "fx = 0: must be greater than 0."),
     (lambda: Projection().with_intrinsics((1, 1, NAN, 3)), "cx = nan: must be a finite number."),
     (lambda: fov_y_from_window(0, 1), "top = 0: must be greater than 0."),

@@ -762,6 +762,10 @@ XYZ = "0 0 0\n1 0 0\n0 1 0\n"
 TEXTS: dict[str, tuple[str, str, tuple[object, ...]]] = {
     "prose.stl": ("Dear all, the mesh is attached.\n" * 9, REFUSALS["not-of-kind"], ("STL",)),
     "solid.stl": ("solid advice: this is not a mesh.\n", REFUSALS["no-faces"], (0,)),
+    "facets.stl": (
+        "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+        "endfacet\nfacet normal 0 0 1\n", REFUSALS["cut-off"], (),
+    ),
     "half.stl": ("solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0", REFUSALS["cut-off"], ()),
     "word.stl": (FACET.replace("0 0 0", "0 0 o"), REFUSALS["damaged-line"], (4, "STL")),
     "four.stl": (FACET.replace("0 0 0", "0 0 0 0"), REFUSALS["damaged-line"], (4, "STL")),
@@ -866,7 +870,9 @@ TEXTS: dict[str, tuple[str, str, tuple[object, ...]]] = {
     "prose.glb": ("Dear all\n", REFUSALS["not-of-kind"], ("GLB",)),
     "list.gltf": ("[]", REFUSALS["damaged"], ("glTF",)),
     "deep.gltf": ("[" * 100_000, REFUSALS["damaged"], ("JSON",)),
-    "brackets.gltf": ("[" + "[]," * 1_000_000, REFUSALS["no-memory"], ()),
+    "brackets.gltf": (
+        "[" + "[]," * 1_000_000, REFUSALS["brackets"], (1_000_001, 1_000_000),
+    ),
     "empty.gltf": ("{}", REFUSALS["damaged"], ("asset",)),
 }  # fmt: skip
 """Name of a bad file, its text, the refusal, and what the sentence names beside the file."""

@@ -1052,6 +1052,16 @@ def test_twelve_numbers_nine_numbers_and_a_calibrated_camera(
     assert edited.args[0].intrinsics[:2] == pytest.approx((800.0, 800.0))
 
 
+def test_row_vectors_do_not_turn_what_has_its_own_order(panel: MatrixPanel, qtbot: QtBot) -> None:
+    choose(panel.vectors, "rows")
+    with qtbot.waitSignal(panel.edited) as edited:
+        paste(panel, "clip_from_view", "K = [[800, 0, 600], [0, 800, 300], [0, 0, 1]]")
+    assert tuple(edited.args[0].intrinsics) == pytest.approx((800.0, 800.0, 600.0, 300.0))
+    with qtbot.waitSignal(panel.edited) as edited:
+        paste(panel, "clip_from_view", "mat4(2,0,0,0, 0.5,3,0,0.25, 0,0,-1.2,-1, 0,0,-2.2,0)")
+    assert edited.args[0].lens.clip_from_view[0] == (2.0, 0.5, 0.0, 0.0)
+
+
 @pytest.mark.parametrize("form", ["text", "numpy", "latex"])
 @pytest.mark.parametrize("vectors", ["columns", "rows"])
 def test_what_is_copied_can_be_pasted(

@@ -36,7 +36,7 @@ from app.lecture.typed_matrix import (
 )
 from app.model.formula import ARROW
 from app.model.limits import finite_matrix
-from app.model.matrix_text import read_matrix
+from app.model.matrix_text import is_by_columns, read_matrix
 from app.model.projection import Projection
 from app.model.refusal import Refusal, format_value
 from widgets.panels.cell_words import CellWords
@@ -228,7 +228,8 @@ class MatrixPanel(ReadablePanel):
                 view.abandon()
                 self._edit(projection)
                 return
-            if self._writing.rows:
+            is_k = name == "clip_from_view" and len(rows) == 3
+            if self._writing.rows and not (is_by_columns(text) or is_k):
                 rows = [list(row) for row in zip(*rows, strict=True)]
             signed = [
                 [cell_sign(projection, self._letters, name, i, j) * x for j, x in enumerate(row)]

@@ -53,7 +53,7 @@ class Geometry:
 
     @classmethod
     def _refusal(cls) -> Refusal:
-        return Refusal("kind", cls.kind, REFUSALS["one-of"], ", ".join(LENSES))
+        return Refusal("lens.kind", cls.kind, REFUSALS["one-of"], ", ".join(LENSES))
 
     # -- projectors
 

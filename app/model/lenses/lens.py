@@ -182,7 +182,7 @@ class Lens(Geometry):
 
     def intrinsics(self, image_size: tuple[int, int]) -> Intrinsics:
         """The perspective camera's K, or a `Refusal` if the projectors do not meet."""
-        raise Refusal("kind", self.kind, REFUSALS["one-of"], "perspective, frustum")
+        raise Refusal("lens.kind", self.kind, REFUSALS["one-of"], "perspective, frustum")
 
     def stretch(self, window: Window) -> float:
         """How much the lens enlarges rounding errors of view coordinates: `Projection.stretch`."""
