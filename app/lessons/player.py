@@ -12,7 +12,7 @@ The card beside the pictures and the talk's band show what a player holds.
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import Any, NamedTuple
 
 from app.document.document import Document
 from app.document.view import AS_EVER, FIELDS, View, without_scene
@@ -42,6 +42,14 @@ class Progress:
     of: int = 0
 
 
+class Draft(NamedTuple):
+    """What a student had begun when the step was left."""
+
+    seed: int  # of an exercise, or 0
+    hints_read: int
+    typed: str
+
+
 class PlayedBlock:
     """A question or a task as a student answers it."""
 
@@ -57,7 +65,15 @@ class PlayedBlock:
         self.now = self._at.document  # the window's current state, with its view
         self._named: set[int] = set()
         """The lines of the wrong ideas of a task that were named: each is named once."""
-        self._restore(player.progress.answers.get(self._key, ""))
+        self.typed = ""  # what was typed and not submitted when the step was left
+        self._drafts = player.drafts
+        draft = self._drafts.get(self._key)
+        if draft is None:
+            self._restore(player.progress.answers.get(self._key, ""))
+            return
+        if block.varies:
+            self.draw(draft.seed)
+        _, self.hints_read, self.typed = draft
 
     @property
     def question(self) -> Asked:
@@ -114,6 +130,14 @@ class PlayedBlock:
                 return
         if self.is_test or self.question.accepts(self.here, kept):
             self.answer = kept
+
+    def keep_draft(self, typed: str) -> None:
+        """Keep what is typed until the step is shown again, and the variant and the hints read."""
+        is_drawn = self.seed and self._key not in self._player.progress.answers
+        if self.is_open and (typed or self.hints_read or is_drawn):
+            self._drafts[self._key] = Draft(self.seed, self.hints_read, typed)
+        else:
+            self._drafts.pop(self._key, None)
 
     def submit(self, typed: str, verdict: Verdict | None = None, given: str = "") -> Verdict:
         """Mark an answer, and keep it if it settles the question.
@@ -201,6 +225,7 @@ class Player:
     def __init__(self, course: Course, place: int = 0) -> None:
         self.course, self.place = course, place  # `place` is the current step, from 0
         self.progress = Progress()
+        self.drafts: dict[str, Draft] = {}  # by ``step/block``
         self.log: Callable[[Attempt], object] = lambda _attempt: None
         self.keep: Callable[[Progress], object] = lambda _progress: None
         """Takes the progress whenever it changes, as `log` takes each answer for the record."""
@@ -309,7 +334,7 @@ class Player:
 
     def forget(self) -> Progress:
         """Delete all answers; return the progress before."""
-        before, self.progress = self.progress, Progress()
+        before, self.progress, self.drafts = self.progress, Progress(), {}
         self.save()
         return before
 

@@ -126,6 +126,32 @@ def test_a_step_goes_on_once_its_prediction_is_made() -> None:
     assert player.progress.answers == {"angle/wide": "1"}
 
 
+def test_what_was_begun_is_there_when_its_step_is_shown_again() -> None:
+    player = player_at(0, EXERCISES)
+
+    def again(typed: str = "") -> PlayedBlock:
+        player.blocks[0].keep_draft(typed)
+        player.begin_page()
+        shown(player)
+        return player.blocks[0]
+
+    player.blocks[0].draw(7)
+    assert again().seed == 7, "the variant that was chosen"
+    assert player.blocks[0].give_hint()
+    wide = again("1,5")
+    assert (wide.seed, wide.hints_read, wide.typed, wide.is_open) == (7, 1, "1,5", True)
+    right = wide.question.answer(wide.here)  # type: ignore[attr-defined]
+    assert wide.submit(f"{right:.6g}").right and logged(player)[-1][3] == 1, "a hint was read"
+    assert not again("1,5").is_open and not player.blocks[0].typed
+    player.blocks[0].draw(8)
+    assert again().seed == 7 and not player.blocks[0].is_open, "nothing was begun"
+    player.blocks[0].draw(8)
+    wide = again("2")
+    assert (wide.seed, wide.typed, wide.is_open) == (8, "2", True)
+    player.forget()
+    assert not again("3").typed and player.blocks[0].variant is None
+
+
 def test_an_answer_is_marked_recorded_and_kept_once_it_is_right() -> None:
     player = player_at(2)
     wide, half, which = player.blocks

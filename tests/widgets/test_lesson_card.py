@@ -706,6 +706,58 @@ why: On the diagonal.
 """
 
 
+BEGUN = (
+    MATRIX
+    + """
+```answer half
+Half?
+value: 1/2
+hint: Less than 1.
+```
+```answer which
+Which?
+- [ ] One
+- [x] The other
+```
+```answer tiles
+Which order?
+order: translate 3,0,0; scale 1,2,1
+tiles: scale 1,2,1; translate 3,0,0
+```
+---
+# Another {#another}
+"""
+)
+
+
+@pytest.mark.undrawn
+def test_what_is_typed_and_not_submitted_outlives_another_step(
+    window: MainWindow, tmp_path: Path
+) -> None:
+    path = tmp_path / "begun.md"
+    path.write_text(BEGUN, encoding="utf-8")
+    card = window.lesson_card
+    card.open(path)
+    cells, half, which, tiles = card.page.blocks
+    cells.findChildren(QLineEdit)[1].setText("3|")
+    half.findChild(QLineEdit).setText("0,")
+    half.give_hint()
+    which.findChildren(QRadioButton)[1].click()
+    tiles.findChildren(QLineEdit)[0].clear()
+    begun = [view.typed for view in card.page.blocks]
+    assert begun == [" | 3 ;  | ", "0,", "2", "scale; translate 3,0,0"]
+    for _ in range(2):
+        go_to(window.lessons, 1)
+        go_to(window.lessons, 0)
+    assert [view.typed.replace(" ", "") for view in card.page.blocks] == [
+        each.replace(" ", "") for each in begun
+    ]
+    _, half, which, tiles = card.page.blocks
+    assert "Less than 1." in texts(half) and "Show the answer" in buttons(half)
+    assert buttons(which)["Check"].isEnabled()
+    assert not any(each.isHidden() for each in tiles.findChildren(QLineEdit))
+
+
 @pytest.mark.undrawn
 def test_a_matrix_is_filled_in_by_keyboard_alone(window: MainWindow, tmp_path: Path) -> None:
     path = tmp_path / "matrix.md"

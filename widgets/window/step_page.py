@@ -64,6 +64,8 @@ class StepPage(QScrollArea):
         self.hide_answers()
 
     def _empty(self) -> None:
+        for view in self.blocks:
+            view.played.keep_draft(view.typed)
         self.blocks, self._current = [], None
         self.room_wanted.emit(0)
         page = self.takeWidget()
@@ -78,8 +80,7 @@ class StepPage(QScrollArea):
                 self._column.addWidget(LessonText(part.text))
                 continue
             view = view_of(played, played.block)
-            if played.answer:
-                view.restore()
+            (view.restore if played.answer else view.show_draft)()
             view.settled.connect(partial(self.settled.emit, view))
             view.show_wanted.connect(self._show_aside)
             view.posed.connect(self._pose)

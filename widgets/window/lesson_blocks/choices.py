@@ -86,6 +86,10 @@ class ChoiceView(BlockView):
             if answer == str(number):
                 choice.button.setChecked(True)
 
+    @property
+    def typed(self) -> str:
+        return str(self._group.checkedId() + 1 or "")
+
     def _restore(self, answer: str) -> None:
         self._show(answer)
         try:

@@ -68,6 +68,14 @@ class ExerciseView(BlockView):
         elif self.asked is not None:
             self.asked.restore()
 
+    @property
+    def typed(self) -> str:
+        return "" if self.asked is None else self.asked.typed
+
+    def show_draft(self) -> None:
+        if self.asked is not None:
+            self.asked.show_draft()
+
     def open_up(self) -> None:
         """Show the state of the numbers; draw them first if they are not drawn yet."""
         if self.played.is_test:  # its step is in this state, with the panels closed

@@ -129,6 +129,10 @@ class NumberAnswerView(MarkedAnswerView):
         if self.played.is_open:
             self._submit(self.field.text())
 
+    @property
+    def typed(self) -> str:
+        return self.field.text()
+
     def _show(self, typed: str) -> None:
         self.field.setText(typed)
 

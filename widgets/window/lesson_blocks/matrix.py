@@ -1,6 +1,7 @@
 """The view of a question whose answer is a matrix: a grid of cells to type into."""
 
 import itertools
+import re
 
 from PySide6.QtCore import QEvent, QObject, QRectF, Qt
 from PySide6.QtGui import QGuiApplication, QKeyEvent, QKeySequence, QPainter, QPaintEvent, QPen
@@ -146,11 +147,15 @@ class MatrixAnswerView(MarkedAnswerView):
             except Refusal as error:
                 self._refuse_cell(cell, error)
                 return
+        self._submit(self.typed)
+
+    @property
+    def typed(self) -> str:
         rows = [
-            " | ".join(cell.text() for cell in self.cells if cell.row == row)
+            " | ".join(re.sub("[|;]", " ", cell.text()) for cell in self.cells if cell.row == row)
             for row in range(self.question.rows)
         ]
-        self._submit("; ".join(rows))
+        return "; ".join(rows) if any(cell.text() for cell in self.cells) else ""
 
     def _refuse_cell(self, cell: _MatrixCellEdit, error: Refusal) -> None:
         self._enter(cell)

@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QApplication, QCheckBox, QLineEdit, QWidget
 from app.lessons.blocks.order import OrderQuestion, tile_parts
 from app.lessons.player import PlayedBlock
 from app.lessons.text import spoken_text
+from app.model.chain import KINDS
 from widgets.parts.layouts import FREE, in_row
 from widgets.parts.lesson_text import LessonText
 from widgets.parts.movable import MovableColumn, MoveButton
@@ -26,7 +27,7 @@ class _TileRow(QWidget):
         self.switch = QCheckBox()
         set_tip(self.switch, self.tr("Whether the product has this tile"))
         self.field = QLineEdit(numbers)
-        self.field.setHidden(not numbers)
+        self.field.setHidden(self._head not in KINDS)
         for part in (self.switch, self.field):
             part.setAccessibleName(spoken_text(title))
         parts = MoveButton(spoken_text(title)), self.switch, (LessonText(title), 1), (self.field, 1)
@@ -62,7 +63,11 @@ class OrderView(MarkedAnswerView):
 
     def check(self) -> None:
         """Say whether the product is right."""
-        self._submit("; ".join(row.text for row in self.rows))
+        self._submit(self.typed)
+
+    @property
+    def typed(self) -> str:
+        return "; ".join(row.text.replace(";", ",") for row in self.rows)
 
     def _show(self, typed: str) -> None:
         texts = [part.strip() for part in typed.split(";")]

@@ -133,6 +133,19 @@ class BlockView(QFrame):
     def _show(self, answer: str) -> None:
         """Show an answer that was given earlier."""
 
+    @property
+    def typed(self) -> str:
+        """Return what is typed or chosen and perhaps not submitted yet."""
+        return ""
+
+    def show_draft(self) -> None:
+        """Show what was typed before the step was left, and the newest hint."""
+        if self.played.typed:
+            self._show(self.played.typed)
+        if self.played.hints_read:
+            self._show_hint()
+            self._offer_answer()
+
     def _handed_in(self) -> None:
         """Show that an answer is kept for the end of a test."""
         self.show_kept_answer()
@@ -156,15 +169,18 @@ class BlockView(QFrame):
         """Check how far the window's current state fulfils the block."""
 
     def give_hint(self) -> None:
-        hint = self.played.give_hint()
-        if hint:
-            many = len(self.played.question.hints) > 1
-            head = self.tr("Hint {0}:").format(self.played.hints_read) if many else self.tr("Hint:")
-            text = f"*{head}* {hint}"
-            self._hint = _row("help", "", text)
-            self._insert(self._hint)
-            self._speak(text)
+        if self.played.give_hint():
+            self._speak(self._show_hint())
         self._offer_answer()
+
+    def _show_hint(self) -> str:
+        """Show the newest hint; return its text."""
+        hints, read = self.played.question.hints, self.played.hints_read
+        head = self.tr("Hint {0}:").format(read) if len(hints) > 1 else self.tr("Hint:")
+        text = f"*{head}* {hints[read - 1]}"
+        self._hint = _row("help", "", text)
+        self._insert(self._hint)
+        return text
 
     def reveal_answer(self) -> None:
         self._remove_response()
