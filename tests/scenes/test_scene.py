@@ -397,6 +397,8 @@ def test_an_unknown_name_is_answered_with_the_nearest(name: str, nearest: str) -
     sentence = refusal(name)
     assert f"“{name}”" in sentence
     assert sentence.endswith(f"did you mean “{nearest}”?")
+    quoted = Refusal.in_document(REFUSALS["cannot-be"], sentence, field="line 8")
+    assert str(quoted) == f"line 8 cannot be shown: {sentence}"  # a question needs no full stop
 
 
 @pytest.mark.parametrize("name", ["", "xyzzy", ".stl"])
