@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from app.model.projection import Camera, Perspective, Projection
-from app.model.refusal import Cancelled, Refusal
+from app.model.refusal import REFUSALS, Cancelled, Refusal
 from app.scenes import finishing
 from app.scenes.first_camera import frame_camera
 from app.scenes.own_mesh import SUBJECT_TRIANGLES
