@@ -36,9 +36,10 @@ from app.drawings.describing import describe as described
 from app.drawings.style import LIGHT
 from app.model.infinity import homogeneous_rows
 from app.model.lenses import FreeMatrix, Frustum, Lens, Oblique, Orthographic, Perspective
+from app.model.limits import is_number
 from app.model.pipeline import Stage, Trace, checked_points
 from app.model.projection import Array, Camera, Chain, Intrinsics, Projection, Space
-from app.model.refusal import REFUSALS, Refusal, is_number
+from app.model.refusal import REFUSALS, Refusal
 from app.picking.picking import Probe
 from app.precision.levels import Precision, precision_for_reading, predict, trace, trace_homogeneous
 from app.scenes.mesh import Colours

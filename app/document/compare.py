@@ -11,9 +11,10 @@ from types import MappingProxyType
 from typing import Any
 
 from app.model.chain import FiveTiles
+from app.model.limits import is_number
 from app.model.parameter import Parameter, Settings
 from app.model.projection import Camera, Projection
-from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal, is_number
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
 from app.scenes.phenomena.words import FEW, digits_apart
 
 MOST_PICTURES = 4  # the lectures show four side by side: the cases of an edge and the eye plane

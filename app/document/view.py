@@ -15,9 +15,9 @@ from app.lecture.letters import LETTERS, Letters, lettering
 from app.lecture.stages import IMAGE, NDC
 from app.model.chain import MOST_TILES
 from app.model.infinity import homogeneous
-from app.model.limits import Row, check_name, finite_vector, keep_checked, real, within
+from app.model.limits import Row, check_name, finite_vector, is_number, keep_checked, real, within
 from app.model.projection import LARGEST_IMAGE_PX, Camera
-from app.model.refusal import REFUSALS, Refusal, is_number
+from app.model.refusal import REFUSALS, Refusal
 from app.picking.picking import Probe
 
 LAYOUTS = ("pictures", "columns")  # one large pane and two small ones, or three side by side

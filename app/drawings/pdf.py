@@ -11,10 +11,10 @@ from app.drawings.label import HALO_EM, HALO_OPACITY, UNDER_EM, surrounded
 from app.drawings.occlusion import Points
 from app.drawings.off_screen import Pixels
 from app.drawings.style import rgb
+from app.drawings.svg import SEAM_PX
 from app.drawings.vectors import Area, Disc, LineShape, PixelShape, Shape, TextShape
 from app.lecture.typesetting import FONT, font_file, is_set_in_words, mathtext, piece_of
 
-_SEAM_PX = 0.4  # as in SVG
 _PT_PER_PX = 72.0 / DPI
 _LARGE = 1e3
 _WATCHED = 50  # shapes from one call of the watch to the next
@@ -84,7 +84,7 @@ class _PdfWriter:
 
     def add(self, shape: Shape) -> None:
         if isinstance(shape, Area):
-            seam = _SEAM_PX if shape.opacity >= 1.0 else 0.0
+            seam = SEAM_PX if shape.opacity >= 1.0 else 0.0
             self._patch(shape.rings, shape.colour, shape.opacity, seam)
         elif isinstance(shape, LineShape):
             self._line(shape)

@@ -1,13 +1,14 @@
 """Types, limits and checks of the model's numbers, and the sentences that refuse them."""
 
 import math
+import numbers
 from collections.abc import Collection
-from typing import Any, Literal, TypeAlias
+from typing import Any, Literal, TypeAlias, TypeGuard
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal, is_number
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
 
 Vector: TypeAlias = tuple[float, float, float]
 Row: TypeAlias = tuple[float, float, float, float]
@@ -72,6 +73,11 @@ def keep_checked(frozen: object, **values: object) -> None:
     """Store checked values in a frozen dataclass during its construction."""
     for name, value in values.items():
         object.__setattr__(frozen, name, value)
+
+
+def is_number(value: object) -> TypeGuard[float]:
+    """Whether it is a real number, as a truth value is not."""
+    return isinstance(value, numbers.Real) and not isinstance(value, bool)
 
 
 def real(field: str, value: Any) -> float:

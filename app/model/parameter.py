@@ -19,8 +19,8 @@ from functools import cache, cached_property
 from pathlib import Path
 from typing import Any, Literal, NamedTuple, TypeAlias
 
-from app.model.limits import Vector, check_name, finite, finite_vector, within
-from app.model.refusal import REFUSALS, Refusal, is_number
+from app.model.limits import Vector, check_name, finite, finite_vector, is_number, within
+from app.model.refusal import REFUSALS, Refusal
 
 Value: TypeAlias = float | bool | str | Vector
 Part: TypeAlias = Literal["lens", "camera", "image_size", "depth", "placement"]

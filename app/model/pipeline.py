@@ -24,10 +24,11 @@ from app.model.limits import (
     Array,
     DepthRange,
     check_name,
+    is_number,
     keep_checked,
     read_only,
 )
-from app.model.refusal import REFUSALS, Bound, Refusal, is_number
+from app.model.refusal import REFUSALS, Bound, Refusal
 from app.model.tables import VIEWPORT, PipelineStep, evaluated, inverse, rounded
 
 HalfSpaces: TypeAlias = list[tuple[tuple[float, float, float, float], float]]

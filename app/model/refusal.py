@@ -13,7 +13,7 @@ import re
 from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 from pathlib import Path
-from typing import Any, NewType, TypeGuard, cast
+from typing import Any, NewType, cast
 
 from app import languages
 from app.strangers import printable
@@ -128,18 +128,13 @@ class Cancelled(Exception):
 # --------------------------------------------------------------------------- values in a sentence
 
 
-def is_number(value: object) -> TypeGuard[float]:
-    """Whether it is a real number, as a truth value is not."""
-    return isinstance(value, numbers.Real) and not isinstance(value, bool)
-
-
 def format_value(value: object, depth: int = 0) -> str:
     """Write a value as a person would type it: ``1``, ``0.1``, ``inf``, ``(0, 1, 0)``."""
     if isinstance(value, (tuple, list)):
         if depth > _DEEPEST:  # a list may contain itself
             return "..."
         return _cut("(" + ", ".join(format_value(part, depth + 1) for part in value[:_SHOWN]) + ")")
-    if not is_number(value):
+    if isinstance(value, bool) or not isinstance(value, numbers.Real):
         return _cut(" ".join(repr(value).split()))
     try:
         number = float(value)

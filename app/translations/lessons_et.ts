@@ -1425,8 +1425,8 @@
         <translation>Kootangensile kõlbavad minu kraadid</translation>
     </message>
     <message>
-        <source>This takes {0}° for {1} radians, which are several turns. Look at the angle: it is less than a quarter of one.</source>
-        <translation>Nii võetakse {0}° asemel {1} radiaani, mis on mitu pööret. Vaadake nurka: see on väiksem kui veerandpööre.</translation>
+        <source>This takes {0}° for {1} radians, which is more than a whole turn. Look at the angle: it is less than a quarter of one.</source>
+        <translation>Nii võetakse {0}° asemel {1} radiaani, mis on rohkem kui terve pööre. Vaadake nurka: see on väiksem kui veerandpööre.</translation>
     </message>
     <message>
         <source>This takes the vertical angle for the horizontal one. Look at a square picture with the same vertical angle: only here is it the horizontal one.</source>
@@ -1724,8 +1724,8 @@
         <translation>Tangensile kõlbavad minu kraadid</translation>
     </message>
     <message>
-        <source>This takes {0}° for {1} radians, which are several turns. Look at the angle: it is less than a quarter of one.</source>
-        <translation>Nii võetakse {0}° asemel {1} radiaani, mis on mitu pööret. Vaadake nurka: see on väiksem kui veerandpööre.</translation>
+        <source>This takes {0}° for {1} radians, which is more than a whole turn. Look at the angle: it is less than a quarter of one.</source>
+        <translation>Nii võetakse {0}° asemel {1} radiaani, mis on rohkem kui terve pööre. Vaadake nurka: see on väiksem kui veerandpööre.</translation>
     </message>
     <message>
         <source>In the triangle of eye, axis and upper plane, the angle at the eye is half of {0}.</source>
@@ -2433,8 +2433,8 @@
         <translation>Aken on {0} kohast {1} kohani {2}, {3} kohast {4} kohani {5}, pilt {6} korda {7} pikslit. Kui suur on variandis Y {8}?</translation>
     </message>
     <message>
-        <source>Both ends get the same share, so each gets half of what is missing. Look at variant Y: as much is added on the left as on the right.</source>
-        <translation>Mõlemad otsad saavad sama palju, seega kumbki pool sellest, mis puudub. Vaadake varianti Y: vasakul lisatakse sama palju kui paremal.</translation>
+        <source>Both ends get the same share, so each gets half of what is missing. Look at variant Y: the left end moves as far as the right one.</source>
+        <translation>Mõlemad otsad saavad sama palju, seega kumbki pool sellest, mis puudub. Vaadake varianti Y: vasak ots liigub sama kaugele kui parem.</translation>
     </message>
     <message>
         <source>How wide must the window be for a picture of {0} by {1}?</source>
@@ -6385,8 +6385,8 @@
         <translation>Kaugtasand liigub piki vaate suunda ja jääb sellega risti.</translation>
     </message>
     <message>
-        <source>By how many trees is {0} longer than 6?</source>
-        <translation>Mitu puud 6 vahega mahub pikkusele {0}?</translation>
+        <source>Trees are 6 apart. How many such distances fit into {0}?</source>
+        <translation>Puude vahe on 6. Mitu sellist vahet mahub pikkusele {0}?</translation>
     </message>
     <message>
         <source>This tree is {0} deep, the next one {1}; far is then {2}.</source>
@@ -6771,8 +6771,8 @@
         <translation>Ostke, mida vajate</translation>
     </message>
     <message>
-        <source>A console of 1996 had no time for more: vertices were drawn at whole pixels, and textures were stretched over the screen without a divide. Turn the camera slowly and watch the corners of the F.</source>
-        <translation>1996. aasta mängukonsoolil rohkemaks aega ei olnud: tipud joonistati täispiksliteks ja tekstuurid venitati ekraanile ilma jagamata. Pöörake kaamerat aeglaselt ja jälgige F-i nurki.</translation>
+        <source>A console of 1994 had no time for more: vertices were drawn at whole pixels, and textures were stretched over the screen without a divide. Turn the camera slowly and watch the corners of the F.</source>
+        <translation>1994. aasta mängukonsoolil rohkemaks aega ei olnud: tipud joonistati täispiksliteks ja tekstuurid venitati ekraanile ilma jagamata. Pöörake kaamerat aeglaselt ja jälgige F-i nurki.</translation>
     </message>
     <message>
         <source>Choose a hardware that stores a vertex in fewer than 5 bytes, with a largest measured error below 0.1 pixels in this picture.</source>
@@ -8302,8 +8302,8 @@
         <translation>Sama laud kaks korda: ühel korral interpoleeritakse tekstuuri koordinaate nii, nagu need on, teisel korral a/z ja 1/z ning jagatakse siis. Kus on keskkoht serval, mille otsad on 2 ja 8 kaugusel? Viiendiku peal, lähemast otsast vaadates. Värvid andestavad selle, tekstuurid mitte. Jagage laud rohkemateks osadeks: viga väheneb koos nende suurusega, nii peitsid seda vanad mängud.</translation>
     </message>
     <message>
-        <source>What a console of 1996 saved</source>
-        <translation>Mida 1996. aasta mängukonsool säästis</translation>
+        <source>What a console of 1994 saved</source>
+        <translation>Mida 1994. aasta mängukonsool säästis</translation>
     </message>
     <message>
         <source>Whole pixels for the vertices, no divide for the texture: quick, and seen at once.</source>

@@ -1425,8 +1425,8 @@
         <translation>Kotangens uzima moje stupnjeve</translation>
     </message>
     <message>
-        <source>This takes {0}° for {1} radians, which are several turns. Look at the angle: it is less than a quarter of one.</source>
-        <translation>Ovo uzima {0}° kao {1} radijana, a to je nekoliko okreta. Pogledajte kut: manji je od četvrtine okreta.</translation>
+        <source>This takes {0}° for {1} radians, which is more than a whole turn. Look at the angle: it is less than a quarter of one.</source>
+        <translation>Ovo uzima {0}° kao {1} radijana, a to je više od cijelog okreta. Pogledajte kut: manji je od četvrtine okreta.</translation>
     </message>
     <message>
         <source>This takes the vertical angle for the horizontal one. Look at a square picture with the same vertical angle: only here is it the horizontal one.</source>
@@ -1724,8 +1724,8 @@
         <translation>Tangens uzima moje stupnjeve</translation>
     </message>
     <message>
-        <source>This takes {0}° for {1} radians, which are several turns. Look at the angle: it is less than a quarter of one.</source>
-        <translation>Ovo uzima {0}° kao {1} radijana, a to je nekoliko okreta. Pogledajte kut: manji je od četvrtine okreta.</translation>
+        <source>This takes {0}° for {1} radians, which is more than a whole turn. Look at the angle: it is less than a quarter of one.</source>
+        <translation>Ovo uzima {0}° kao {1} radijana, a to je više od cijelog okreta. Pogledajte kut: manji je od četvrtine okreta.</translation>
     </message>
     <message>
         <source>In the triangle of eye, axis and upper plane, the angle at the eye is half of {0}.</source>
@@ -2433,8 +2433,8 @@
         <translation>Prozor je {0} od {1} do {2}, {3} od {4} do {5}, a slika {6} puta {7} piksela. Koliko je {8} u varijanti Y?</translation>
     </message>
     <message>
-        <source>Both ends get the same share, so each gets half of what is missing. Look at variant Y: as much is added on the left as on the right.</source>
-        <translation>Oba kraja dobivaju isti dio, dakle svaki polovicu onoga što nedostaje. Pogledajte varijantu Y: lijevo se dodaje koliko i desno.</translation>
+        <source>Both ends get the same share, so each gets half of what is missing. Look at variant Y: the left end moves as far as the right one.</source>
+        <translation>Oba kraja dobivaju isti dio, dakle svaki polovicu onoga što nedostaje. Pogledajte varijantu Y: lijevi se kraj pomiče koliko i desni.</translation>
     </message>
     <message>
         <source>How wide must the window be for a picture of {0} by {1}?</source>
@@ -6385,8 +6385,8 @@
         <translation>Daleka ravnina pomiče se duž smjera gledanja i ostaje okomita na njega.</translation>
     </message>
     <message>
-        <source>By how many trees is {0} longer than 6?</source>
-        <translation>Za koliko je stabala {0} dulje od 6?</translation>
+        <source>Trees are 6 apart. How many such distances fit into {0}?</source>
+        <translation>Stabla su na razmaku 6. Koliko takvih razmaka stane u {0}?</translation>
     </message>
     <message>
         <source>This tree is {0} deep, the next one {1}; far is then {2}.</source>
@@ -6771,8 +6771,8 @@
         <translation>Kupite što trebate</translation>
     </message>
     <message>
-        <source>A console of 1996 had no time for more: vertices were drawn at whole pixels, and textures were stretched over the screen without a divide. Turn the camera slowly and watch the corners of the F.</source>
-        <translation>Konzola iz 1996. nije imala vremena za više: vrhovi su se crtali na cijelim pikselima, a teksture rastezale po ekranu bez dijeljenja. Polako okrećite kameru i promatrajte vrhove slova F.</translation>
+        <source>A console of 1994 had no time for more: vertices were drawn at whole pixels, and textures were stretched over the screen without a divide. Turn the camera slowly and watch the corners of the F.</source>
+        <translation>Konzola iz 1994. nije imala vremena za više: vrhovi su se crtali na cijelim pikselima, a teksture rastezale po ekranu bez dijeljenja. Polako okrećite kameru i promatrajte vrhove slova F.</translation>
     </message>
     <message>
         <source>Choose a hardware that stores a vertex in fewer than 5 bytes, with a largest measured error below 0.1 pixels in this picture.</source>
@@ -8302,8 +8302,8 @@
         <translation>Ista ploča dvaput: jednom se koordinate teksture interpoliraju kakve jesu, a drugi put a/z i 1/z, pa se zatim dijeli. Gdje je sredina brida čiji su krajevi na 2 i 8? Na petini puta, gledano od bližeg kraja. Boje to opraštaju, teksture ne. Podijelite ploču na više dijelova: pogreška se smanjuje s njihovom veličinom, i tako su je stare igre skrivale.</translation>
     </message>
     <message>
-        <source>What a console of 1996 saved</source>
-        <translation>Što je štedjela konzola iz 1996.</translation>
+        <source>What a console of 1994 saved</source>
+        <translation>Što je štedjela konzola iz 1994.</translation>
     </message>
     <message>
         <source>Whole pixels for the vertices, no divide for the texture: quick, and seen at once.</source>

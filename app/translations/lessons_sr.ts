@@ -1425,8 +1425,8 @@
         <translation>Котангенс прима моје степене</translation>
     </message>
     <message>
-        <source>This takes {0}° for {1} radians, which are several turns. Look at the angle: it is less than a quarter of one.</source>
-        <translation>Овде је {0}° узето као {1} радијана, а то је неколико кругова. Погледајте угао: мањи је од четвртине круга.</translation>
+        <source>This takes {0}° for {1} radians, which is more than a whole turn. Look at the angle: it is less than a quarter of one.</source>
+        <translation>Овде је {0}° узето као {1} радијана, а то је више од целог круга. Погледајте угао: мањи је од четвртине круга.</translation>
     </message>
     <message>
         <source>This takes the vertical angle for the horizontal one. Look at a square picture with the same vertical angle: only here is it the horizontal one.</source>
@@ -1724,8 +1724,8 @@
         <translation>Тангенс прима моје степене</translation>
     </message>
     <message>
-        <source>This takes {0}° for {1} radians, which are several turns. Look at the angle: it is less than a quarter of one.</source>
-        <translation>Овде је {0}° узето као {1} радијана, а то је неколико кругова. Погледајте угао: мањи је од четвртине круга.</translation>
+        <source>This takes {0}° for {1} radians, which is more than a whole turn. Look at the angle: it is less than a quarter of one.</source>
+        <translation>Овде је {0}° узето као {1} радијана, а то је више од целог круга. Погледајте угао: мањи је од четвртине круга.</translation>
     </message>
     <message>
         <source>In the triangle of eye, axis and upper plane, the angle at the eye is half of {0}.</source>
@@ -2433,8 +2433,8 @@
         <translation>Прозор је {0} од {1} до {2}, {3} од {4} до {5}, а слика {6} пута {7} пиксела. Колико је {8} у варијанти Y?</translation>
     </message>
     <message>
-        <source>Both ends get the same share, so each gets half of what is missing. Look at variant Y: as much is added on the left as on the right.</source>
-        <translation>Оба краја добијају једнак део, дакле сваки половину онога што недостаје. Погледајте варијанту Y: лево је додато колико и десно.</translation>
+        <source>Both ends get the same share, so each gets half of what is missing. Look at variant Y: the left end moves as far as the right one.</source>
+        <translation>Оба краја добијају једнак део, дакле сваки половину онога што недостаје. Погледајте варијанту Y: леви крај се помера колико и десни.</translation>
     </message>
     <message>
         <source>How wide must the window be for a picture of {0} by {1}?</source>
@@ -6385,8 +6385,8 @@
         <translation>Задња раван се помера дуж смера погледа и остаје попреко на њега.</translation>
     </message>
     <message>
-        <source>By how many trees is {0} longer than 6?</source>
-        <translation>За колико је дрвећа {0} дуже од 6?</translation>
+        <source>Trees are 6 apart. How many such distances fit into {0}?</source>
+        <translation>Дрвеће је на размаку 6. Колико таквих размака стане у {0}?</translation>
     </message>
     <message>
         <source>This tree is {0} deep, the next one {1}; far is then {2}.</source>
@@ -6771,8 +6771,8 @@
         <translation>Купите онолико колико треба</translation>
     </message>
     <message>
-        <source>A console of 1996 had no time for more: vertices were drawn at whole pixels, and textures were stretched over the screen without a divide. Turn the camera slowly and watch the corners of the F.</source>
-        <translation>Конзола из 1996. није имала времена за више: темена су се цртала на целим пикселима, а текстуре растезале по екрану без дељења. Полако окрећите камеру и гледајте темена слова F.</translation>
+        <source>A console of 1994 had no time for more: vertices were drawn at whole pixels, and textures were stretched over the screen without a divide. Turn the camera slowly and watch the corners of the F.</source>
+        <translation>Конзола из 1994. није имала времена за више: темена су се цртала на целим пикселима, а текстуре растезале по екрану без дељења. Полако окрећите камеру и гледајте темена слова F.</translation>
     </message>
     <message>
         <source>Choose a hardware that stores a vertex in fewer than 5 bytes, with a largest measured error below 0.1 pixels in this picture.</source>
@@ -8302,8 +8302,8 @@
         <translation>Иста табла двапут: једном се координате текстуре интерполирају какве јесу, једном a/z и 1/z, па се деле. Где је средина ивице чији су крајеви на 2 и 8? На петини пута, гледано од ближег краја. Боје то опраштају, текстуре не. Поделите таблу на више делова: грешка опада са њиховом величином, а тако су је старе игре скривале.</translation>
     </message>
     <message>
-        <source>What a console of 1996 saved</source>
-        <translation>Шта је уштедела конзола из 1996</translation>
+        <source>What a console of 1994 saved</source>
+        <translation>Шта је уштедела конзола из 1994</translation>
     </message>
     <message>
         <source>Whole pixels for the vertices, no divide for the texture: quick, and seen at once.</source>

@@ -9847,8 +9847,8 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>16 bitti koordinaadi kohta</translation>
     </message>
     <message>
-        <source>1996 console</source>
-        <translation>1996. aasta mängukonsool</translation>
+        <source>1994 console</source>
+        <translation>1994. aasta mängukonsool</translation>
     </message>
     <message>
         <source>1: both ends in front of it</source>
@@ -10295,8 +10295,8 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Alguspunktist kaugel: nihutage alguspunkti.</translation>
     </message>
     <message>
-        <source>Fewer bits make a picture smaller and quicker, and less exact. Every vertex is stored and projected with the chosen formats, and drawn where they put it. An arrow runs from each vertex&apos;s exact pixel towards the drawn one, enlarged as much as is written beside it. The bound is predicted from the formats alone, and no error is larger. A console of 1996 drew whole pixels and affine textures, and its vertices jumped whenever the camera moved.</source>
-        <translation>Vähemad bitid teevad pildi väiksemaks ja kiiremaks, aga ka vähem täpseks. Iga tipp salvestatakse ja projitseeritakse valitud vormingutes ning joonistatakse sinna, kuhu need selle panevad. Iga tipu täpsest pikslist osutab nool joonistatud piksli poole, suurendatud nii palju, nagu selle kõrval kirjas. Tõke ennustatakse ainult vormingute järgi ja ükski viga ei ole sellest suurem. 1996. aasta mängukonsool joonistas täispiksleid ja afiinseid tekstuure ning selle tipud hüppasid iga kord, kui kaamera liikus.</translation>
+        <source>Fewer bits make a picture smaller and quicker, and less exact. Every vertex is stored and projected with the chosen formats, and drawn where they put it. An arrow runs from each vertex&apos;s exact pixel towards the drawn one, enlarged as much as is written beside it. The bound is predicted from the formats alone, and no error is larger. A console of 1994 drew whole pixels and affine textures, and its vertices jumped whenever the camera moved.</source>
+        <translation>Vähemad bitid teevad pildi väiksemaks ja kiiremaks, aga ka vähem täpseks. Iga tipp salvestatakse ja projitseeritakse valitud vormingutes ning joonistatakse sinna, kuhu need selle panevad. Iga tipu täpsest pikslist osutab nool joonistatud piksli poole, suurendatud nii palju, nagu selle kõrval kirjas. Tõke ennustatakse ainult vormingute järgi ja ükski viga ei ole sellest suurem. 1994. aasta mängukonsool joonistas täispiksleid ja afiinseid tekstuure ning selle tipud hüppasid iga kord, kui kaamera liikus.</translation>
     </message>
     <message>
         <source>Field of view</source>

@@ -9863,8 +9863,8 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>16 bitova po koordinati</translation>
     </message>
     <message>
-        <source>1996 console</source>
-        <translation>konzola iz 1996.</translation>
+        <source>1994 console</source>
+        <translation>konzola iz 1994.</translation>
     </message>
     <message>
         <source>1: both ends in front of it</source>
@@ -10311,8 +10311,8 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Daleko od ishodišta: pomaknite ishodište.</translation>
     </message>
     <message>
-        <source>Fewer bits make a picture smaller and quicker, and less exact. Every vertex is stored and projected with the chosen formats, and drawn where they put it. An arrow runs from each vertex&apos;s exact pixel towards the drawn one, enlarged as much as is written beside it. The bound is predicted from the formats alone, and no error is larger. A console of 1996 drew whole pixels and affine textures, and its vertices jumped whenever the camera moved.</source>
-        <translation>S manje bitova slika je manja i brža, ali i manje točna. Svaki se vrh sprema i projicira u odabranim formatima i crta ondje kamo ga oni stave. Strelica ide od točnog piksela svakog vrha prema nacrtanom, povećana onoliko koliko piše uz nju. Granica se predviđa samo iz formata i nijedna pogreška nije veća. Konzola iz 1996. crtala je cijele piksele i afine teksture, a vrhovi su joj skakali kad god se kamera pomaknula.</translation>
+        <source>Fewer bits make a picture smaller and quicker, and less exact. Every vertex is stored and projected with the chosen formats, and drawn where they put it. An arrow runs from each vertex&apos;s exact pixel towards the drawn one, enlarged as much as is written beside it. The bound is predicted from the formats alone, and no error is larger. A console of 1994 drew whole pixels and affine textures, and its vertices jumped whenever the camera moved.</source>
+        <translation>S manje bitova slika je manja i brža, ali i manje točna. Svaki se vrh sprema i projicira u odabranim formatima i crta ondje kamo ga oni stave. Strelica ide od točnog piksela svakog vrha prema nacrtanom, povećana onoliko koliko piše uz nju. Granica se predviđa samo iz formata i nijedna pogreška nije veća. Konzola iz 1994. crtala je cijele piksele i afine teksture, a vrhovi su joj skakali kad god se kamera pomaknula.</translation>
     </message>
     <message>
         <source>Field of view</source>

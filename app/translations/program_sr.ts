@@ -9863,8 +9863,8 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>16 бита по координати</translation>
     </message>
     <message>
-        <source>1996 console</source>
-        <translation>конзола из 1996</translation>
+        <source>1994 console</source>
+        <translation>конзола из 1994</translation>
     </message>
     <message>
         <source>1: both ends in front of it</source>
@@ -10311,8 +10311,8 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Далеко од почетка: померите координатни почетак.</translation>
     </message>
     <message>
-        <source>Fewer bits make a picture smaller and quicker, and less exact. Every vertex is stored and projected with the chosen formats, and drawn where they put it. An arrow runs from each vertex&apos;s exact pixel towards the drawn one, enlarged as much as is written beside it. The bound is predicted from the formats alone, and no error is larger. A console of 1996 drew whole pixels and affine textures, and its vertices jumped whenever the camera moved.</source>
-        <translation>Са мање битова слика је мања и бржа, али мање тачна. Свако теме се чува и пројектује у изабраним форматима, и црта тамо где га они ставе. Стрелица иде од тачног пиксела сваког темена ка нацртаном, увећана онолико колико пише поред ње. Граница се предвиђа само на основу формата, и ниједна грешка није већа. Конзола из 1996. цртала је целе пикселе и афине текстуре, и њена темена су скакала чим би се камера померила.</translation>
+        <source>Fewer bits make a picture smaller and quicker, and less exact. Every vertex is stored and projected with the chosen formats, and drawn where they put it. An arrow runs from each vertex&apos;s exact pixel towards the drawn one, enlarged as much as is written beside it. The bound is predicted from the formats alone, and no error is larger. A console of 1994 drew whole pixels and affine textures, and its vertices jumped whenever the camera moved.</source>
+        <translation>Са мање битова слика је мања и бржа, али мање тачна. Свако теме се чува и пројектује у изабраним форматима, и црта тамо где га они ставе. Стрелица иде од тачног пиксела сваког темена ка нацртаном, увећана онолико колико пише поред ње. Граница се предвиђа само на основу формата, и ниједна грешка није већа. Конзола из 1994. цртала је целе пикселе и афине текстуре, и њена темена су скакала чим би се камера померила.</translation>
     </message>
     <message>
         <source>Field of view</source>

@@ -1213,6 +1213,20 @@ def test_the_tested_versions_are_within_the_bounds() -> None:
         assert requirement.admits(tested[requirement.name.lower()])
 
 
+@pytest.mark.parametrize(
+    "name, crashed_or_was_wrong",
+    [
+        ("numpy", "2.2.1"),
+        ("matplotlib", "3.11.0"),
+        ("mapbox-earcut", "2.0.0"),
+        ("PySide6-Essentials", "6.11.1"),
+    ],
+)
+def test_a_version_with_which_tests_failed_is_outside(name: str, crashed_or_was_wrong: str) -> None:
+    (requirement,) = (each for each in requirements(bootstrap.ROOT) if each.name == name)
+    assert not requirement.admits(crashed_or_was_wrong)
+
+
 def test_a_version_outside_the_bounds_does_not_pass_for_installed() -> None:
     (fits,) = (r for r in requirements(bootstrap.ROOT) if r.name == "numpy")
     too_new = replace(fits, bounds=((">=", (99,)),))

@@ -127,7 +127,7 @@ def test_wheels_come_with_the_code_for_each_platform_and_python(
     for command in calls:
         assert command[command.index("--dest") + 1] == str(folder / "wheels")
         assert command[command.index("--python-version") + 1] == "3.13"
-        assert any(word.startswith("PySide6-Essentials>=6.8,<6.13") for word in command)
+        assert any(word.startswith("PySide6-Essentials>=6.11.2,<6.13") for word in command)
 
 
 def test_pins_are_those_of_the_python() -> None:

@@ -11,6 +11,7 @@ import pytest
 from app.commands.composed import Composed, states_of, taken
 from app.drawings.figure import PANE_PX
 from app.lecture.notation import matrices
+from app.lessons.blocks.question import RIGHT
 from app.lessons.course import Course
 from app.lessons.lesson import read
 from app.model.refusal import REFUSALS, Refusal
@@ -257,6 +258,47 @@ def test_an_equation_of_the_handout_is_true(talk: Path, letters: str, equation: 
     size = np.prod([np.abs(each).max() for each in numbers[:-1]])
     assert np.allclose(np.linalg.multi_dot(numbers[:-1]), numbers[-1], rtol=0.0, atol=2e-3 * size)
     assert np.abs(numbers[-1]).max() > 0.02 * size
+
+
+DRAWN = """---
+title: Practise
+---
+# One {#one}
+```state
+scene=letter-f
+```
+```exercise pick
+vary n: 3..40
+What is twice {=n}?
+- [x] {=2*n} := 2*n
+- [ ] {=n*n} := n*n {order}
+```
+```exercise place
+vary n: 1..30
+Where are {=n} %?
+click: image
+at: n/100*width, height/2
+```
+"""
+
+
+def test_the_handout_of_a_lesson_has_choices_and_answers_of_exercises(talk: Path) -> None:
+    talk.write_text(DRAWN, encoding="utf-8")
+    course = Course(read(talk))
+    pick, place = (course.at(0).variant(part, 1) for part in course.lesson.steps[0].asked)
+    n, m = (int(each.numbers["n"]) for each in (pick, place))
+    told, posed = ("\n".join(each for each in contents(course, 0, answers) if isinstance(each, str))
+                   for answers in (True, False))  # fmt: skip
+    assert f"What is twice {n}?  \n**A** {2 * n}{RIGHT}  \n**B** {n * n}" in told
+    assert f"What is twice {n}?  \n**A** {2 * n}  \n**B** {n * n}" in posed
+    assert f"Where are {m} %?\n\n**({m / 100 * 1280:g}, 360)**" in told
+    assert f"Where are {m} %?" in posed and "360" not in posed
+
+
+def test_a_long_title_ends_before_the_number_of_the_page(talk: Path) -> None:
+    long = " ".join(30 * ["Projections"])
+    runs = printed(handout_of(talk, TALK.replace("From <b> to $x$", long)))
+    assert any(run.startswith("Projections Proj") and run.endswith("…") for run in runs)
 
 
 def test_the_handout_has_the_numbers_of_the_scene_where_it_is_explained(

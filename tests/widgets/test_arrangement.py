@@ -29,7 +29,16 @@ from app.model.projection import Camera
 from app.picking.picking import Probe
 from app.scenes.scene import load
 from tests.support.drawings import figure_of
-from tests.support.window import MakeWindow, click, counted_repaints, edit, pixels, settle, turn
+from tests.support.window import (
+    MakeWindow,
+    activate,
+    click,
+    counted_repaints,
+    edit,
+    pixels,
+    settle,
+    turn,
+)
 from widgets.parts.icons import Combo
 from widgets.window.export_dialog import ExportDialog
 from widgets.window.lesson_card import TOUR
@@ -435,3 +444,26 @@ def test_a_scene_opens_from_its_own_viewpoint(window: MainWindow) -> None:
     settle()
     drawing = window.panes["world"].drawing
     assert drawing is not None and drawing.fixed == ""
+
+
+@pytest.mark.undrawn
+def test_the_wheel_changes_no_choice_and_no_stage_on_its_way(window: MainWindow) -> None:
+    """It opened another scene, and took other letters while it scrolled the Matrices."""
+    activate(window)
+    window.panes["world"].canvas.setFocus()
+    for panel in (window.matrices, window.measure_panel):
+        window.panels.open(panel)
+        settle()
+        boxes = [box for box in window.findChildren(Combo) if box.isVisible() and box.count() > 1]
+        assert len(boxes) >= 4
+        before = window.store.seen, [box.currentIndex() for box in boxes]
+        for each in (*boxes, window.strip.slider):
+            at = each.mapTo(window, each.rect().center())
+            for turned in (-120, 120, 120):
+                QTest.wheelEvent(window.windowHandle(), at, QPoint(0, turned))
+        settle()
+        assert (window.store.seen, [box.currentIndex() for box in boxes]) == before
+        assert window.store.seen.view == before[0].view
+    window.strip.slider.setFocus()
+    QTest.wheelEvent(window.windowHandle(), at, QPoint(0, -120))
+    assert window.strip.position < 4.0

@@ -787,3 +787,18 @@ def test_the_focus_stays_in_the_panel_when_the_last_probe_is_removed(window: Mai
     panel.table.setFocus()
     QTest.keyClick(panel.table, Qt.Key.Key_Escape)
     assert not panel.probes and QApplication.focusWidget() is panel.fields[-1]
+
+
+@pytest.mark.undrawn
+def test_the_refusal_of_a_probe_goes_once_there_is_room(window: MainWindow) -> None:
+    panel, messages = window.probe_panel, window.messages
+    for place in range(MOST_PROBES):
+        panel.follow(point=(float(place), 0.0, 0.0))
+        panel.pin.click()
+    panel.follow(point=CORNER)
+    assert "remove one first" in messages.text
+    panel.remove()
+    assert messages.text == "" and len(panel.probes) == MOST_PROBES - 1
+    messages.show_message("Another message.")
+    panel.follow(point=CORNER)
+    assert messages.text == "Another message."

@@ -316,9 +316,7 @@ class FramePanel(LetteredWidget, Panel):
         self.step_changed.emit(None)
 
 
-def _numbers(
-    step: str, camera: Camera, write: Callable[[float], str], has_wholes: bool = False
-) -> str:
+def _numbers(step: str, camera: Camera, write: Callable[[float], str], has_wholes: bool) -> str:
     """Return the numbers of a step, line by line, as of `widgets.parts.typeset`.
 
     If it `has_wholes`, the undivided vectors have lecture 004's names N and U.

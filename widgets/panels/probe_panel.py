@@ -37,6 +37,7 @@ class ProbePanel(LetteredWidget, ReadablePanel):
 
     concerns = PROJECTION
     changed = Signal()  # the probes have changed
+    refusal_withdrawn = Signal(str)  # a sentence that was refused is not true any more
 
     def __init__(self) -> None:
         super().__init__()
@@ -149,6 +150,7 @@ class ProbePanel(LetteredWidget, ReadablePanel):
         if probes != self.probes:
             self.probes = probes
             self.changed.emit()
+            self.refusal_withdrawn.emit(WORDS.say("most", MOST_PROBES + 1, MOST_PROBES))
             self._readable.changed()
         self._show_choice()
 

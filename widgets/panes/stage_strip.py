@@ -8,7 +8,7 @@ import re
 from functools import partial
 
 from PySide6.QtCore import QEvent, QSignalBlocker, QSize, Qt, Signal
-from PySide6.QtGui import QHideEvent, QKeyEvent, QMouseEvent
+from PySide6.QtGui import QHideEvent, QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QGridLayout, QSizePolicy, QSlider, QToolButton, QWidget
 
 from app.languages import with_comma
@@ -61,6 +61,9 @@ class _StopsSlider(HeldSlider):
             self.setValue((-(-self.value() // STEPS) - 1) * STEPS)
         else:
             super().keyPressEvent(event)
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        super().wheelEvent(event) if self.hasFocus() else event.ignore()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         self.grasped.emit()

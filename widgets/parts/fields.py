@@ -49,22 +49,6 @@ class _NameLabel(Balanced):
             self.double_clicked.emit()
 
 
-class _FocusedCombo(Combo):
-    """A combo box that ignores the wheel, so that the column scrolls, until it has the focus."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        policy = QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
-        self.setSizeAdjustPolicy(policy)  # a long translation must not widen the column
-
-    def wheelEvent(self, event: QtGui.QWheelEvent) -> None:
-        if self.hasFocus():
-            super().wheelEvent(event)
-        else:
-            event.ignore()
-
-
 class Row(TintedWidget, QWidget, Gestures):
     """The name, the reset, the error line and the gestures that all rows share.
 
@@ -271,7 +255,9 @@ class ChoiceRow(Row):
         self._show_value()
 
     def _make_combo(self, choices: Sequence[Option], none: str) -> QComboBox:
-        self._combo = combo = _FocusedCombo()
+        self._combo = combo = Combo()
+        policy = QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
+        combo.setSizeAdjustPolicy(policy)  # a long translation must not widen the column
         combo.setPlaceholderText(none)
         for index, choice in enumerate(choices):
             combo.addItem(choice.text)

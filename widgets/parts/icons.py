@@ -17,6 +17,7 @@ from PySide6.QtGui import (
     QPaintEvent,
     QPalette,
     QPixmap,
+    QWheelEvent,
 )
 from PySide6.QtSvg import QSvgRenderer
 from PySide6.QtWidgets import QAbstractButton, QApplication, QComboBox, QStyle, QStyleOptionComboBox
@@ -116,12 +117,16 @@ BESIDE = 0.3  # room between the text and the arrow, in heights of a line
 
 
 class Combo(QComboBox):
-    """A combo box that paints its own arrow; an option is a text and its value."""
+    """A combo box that paints its own arrow; an option is a text and its value.
+
+    It ignores the wheel, so that what is around it scrolls, until it has the focus.
+    """
 
     def __init__(
         self, name: str = "", tip: str = "", options: Iterable[tuple[str, object]] = ()
     ) -> None:
         super().__init__()
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAccessibleName(name)
         set_tip(self, tip)
         for text, value in options:
@@ -132,6 +137,9 @@ class Combo(QComboBox):
         super().changeEvent(event)
         if event.type() == QEvent.Type.FontChange:
             _fit(self)
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        super().wheelEvent(event) if self.hasFocus() else event.ignore()
 
     def sizeHint(self) -> QSize:
         return super().sizeHint() + self._more

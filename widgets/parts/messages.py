@@ -19,10 +19,10 @@ from PySide6.QtWidgets import QFrame, QPushButton
 
 from app.languages import with_comma
 from app.lecture.letters import Letters, in_letters
-from app.model.limits import OTHER_SIDE
+from app.model.limits import OTHER_SIDE, is_number
 from app.model.parameter import Parameter
 from app.model.parameters import TITLES
-from app.model.refusal import REFUSALS, Refusal, format_value, is_number
+from app.model.refusal import REFUSALS, Refusal, format_value
 from widgets.parts.labels import WarningLabel
 from widgets.parts.layouts import in_row, push_button, tool_button
 

@@ -150,8 +150,6 @@ def _answer(number: int, exercise: Numbered, width: float) -> Iterator[PageBlock
     answer = answer_of(question, here)
     parts = [f"**{number}.** {question.with_answer(answer, others=False)}"]
     place = question.marked_place(here)
-    if place is not None:
-        parts.append(f"**{answer}**")
     parts += question.reasons(here)
     texts = "\n\n".join(filter(None, (*parts, _mistaken(question, here))))
     if place is None:

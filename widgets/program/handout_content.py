@@ -77,8 +77,8 @@ def contents(course: Course, place: int, answers: bool) -> Iterator[Content]:
     counted = f"{place + 1}. " if len(course.lesson.steps) > 1 else ""
     yield Heading(counted + step.title)
     shown, here = course.shown(place).document, course.at(place)
-    asked = [part for part in step.parts if part.reveals or part in step.asked]
-    texts = [part.text for part in step.parts if part not in asked]
+    asked = [part.variant(here, 1) for part in step.asked]
+    texts = [part.text for part in step.parts if part not in step.asked]
     note, slide = _note(step) if answers else "", _drawn_on(course, step.name)
     yield StepFigure(shown, texts, note, slide, has_question=bool(asked) and not answers)
     if not any("\n|" in part.text for part in step.parts if not part.reveals):
@@ -86,15 +86,15 @@ def contents(course: Course, place: int, answers: bool) -> Iterator[Content]:
     if "equation" not in shown.view.slide:  # else it has its matrices
         yield _panel(shown, course.shown(place - 1).document if place else None)
     number = 0
-    for part in asked:
+    for _, _, part, own in asked:
         if not answers:
             yield part.posed()
             yield ToWrite()
             continue
-        yield part.with_answer(answer_of(part, here))
+        yield part.with_answer(answer_of(part, own))
         whys = [part.why] if part.why else []
         if part.show is not None:
-            after = here.shown_by(part.show)
+            after = own.shown_by(part.show)
             number += part.reveals
             drawn_on = _drawn_on(course, answer_picture(step.name, number))
             yield StepFigure(after, whys, slide=drawn_on)

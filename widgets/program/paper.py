@@ -329,6 +329,8 @@ def foot(painter: QtGui.QPainter, left: str, right: str, width: float, height: f
     painter.setFont(font)
     painter.setPen(QtGui.QColor(LIGHT.muted))
     place = QRectF(0.0, height + 0.7 * FOOT_PT, width, 1.3 * FOOT_PT)
+    room = width - painter.fontMetrics().horizontalAdvance(f"   {right}")
+    left = painter.fontMetrics().elidedText(left, Qt.TextElideMode.ElideRight, int(room))
     painter.drawText(place, Qt.AlignmentFlag.AlignLeft, left)
     painter.drawText(place, Qt.AlignmentFlag.AlignRight, right)
     painter.restore()

@@ -93,6 +93,7 @@ def _wire_components(window: Any) -> None:
         (window.probing.refused, window.messages.show_message),
         (window.panels.chosen, window.probing.begin),
         (measure.refusal_withdrawn, window.messages.hide_message),
+        (probe.refusal_withdrawn, window.messages.hide_message),
         (measure.succeeded, window.messages.done),
         (measure.used, window.manipulation.let_go, window.quality.use),
         (measure.used, lambda: window.panels.open(measure)),  # it stays open

@@ -118,6 +118,9 @@ class Click(MarkedQuestion):
     def printed(self, numbers: Sequence[str]) -> str:
         return f"({super().printed(numbers)})"
 
+    def with_answer(self, answer: str, *, others: bool = True) -> str:
+        return f"{self.text}\n\n**{answer}**"
+
     def answer_text(self, here: Here, write: Callable[[float], str]) -> str:
         return self.printed([write(each) for each in self.answer(here)])
 
