@@ -34,7 +34,7 @@ def on_line(line: int, what: str = "") -> Iterator[None]:
         if error.field.startswith("line ") or (error.file is not None and error.file != ""):
             raise
         if not error.field and error.value is ...:  # a whole sentence, of a scene or its file
-            raise refused(line, REFUSALS["cannot-be"], str(error).rstrip(".?")) from error
+            raise refused(line, REFUSALS["cannot-be"], str(error).rstrip(".")) from error
         name = what if error.field in ("formula", "condition") and what else error.field
         where = f"line {line}, {name}" if name else f"line {line}"
         raise Refusal.in_document(

@@ -104,17 +104,17 @@ class Refusal(ValueError):
             if self.value is ...:
                 return f"{field_name(self.field)} {shown}."
             return f"{field_name(self.field)} = {(written or format_value)(self.value)}: {shown}."
-        bound = bound.format(*shown_limits(self.limits, self.value))
+        bound = re.sub(r"(?<!\?)\Z", ".", bound.format(*shown_limits(self.limits, self.value)))
         file = shown_name(self.file)
         if len(file) > _LONGEST_FILE:
             file = "..." + file[3 - _LONGEST_FILE :]
         if not self.field:
-            return f"{file or translate(REFUSALS['the-document'])} {bound}."
+            return f"{file or translate(REFUSALS['the-document'])} {bound}"
         field = re.sub(r"\bline (?=\d)", f"{languages.said('line')} ", self.field)
         place = f"{file}: {field}" if file else field
         if self.value is ...:
-            return f"{place} {bound}."
-        return f"{place} = {_as_written(self.value)}: {bound}."
+            return f"{place} {bound}"
+        return f"{place} = {_as_written(self.value)}: {bound}"
 
 
 class Cancelled(Exception):

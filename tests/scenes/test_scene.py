@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from app.model.projection import Camera, Perspective, Projection
-from app.model.refusal import Cancelled, Refusal
+from app.model.refusal import REFUSALS, Cancelled, Refusal
 from app.scenes import finishing
 from app.scenes.first_camera import frame_camera
 from app.scenes.own_mesh import SUBJECT_TRIANGLES
@@ -397,6 +397,8 @@ def test_an_unknown_name_is_answered_with_the_nearest(name: str, nearest: str) -
     sentence = refusal(name)
     assert f"“{name}”" in sentence
     assert sentence.endswith(f"did you mean “{nearest}”?")
+    quoted = Refusal.in_document(REFUSALS["cannot-be"], sentence, field="line 8")
+    assert str(quoted) == f"line 8 cannot be shown: {sentence}"  # a question needs no full stop
 
 
 @pytest.mark.parametrize("name", ["", "xyzzy", ".stl"])

@@ -399,6 +399,7 @@ class LessonCard(QFrame):
         self.page.setWidget(page)
         self._show_step_buttons(False)
         buttons[0].setFocus(Qt.FocusReason.OtherFocusReason)
+        self.page.verticalScrollBar().setValue(0)  # where its buttons are, wherever the focus was
         self.buttons_changed.emit()
 
     def _show_step_buttons(self, on: bool) -> None:
