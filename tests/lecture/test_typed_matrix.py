@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 from app.arithmetic.rationals import eliminate, product, rationals
@@ -180,6 +180,8 @@ LENS = st.one_of(
 
 
 @QUICK
+@example(Orthographic(-1.0, 1.0, -1.0, 1.0, 7.620625532145991e-40, 11.0), "direct3d")
+@example(Oblique(-1.0, 1.0, -1.0, 1.0, 3.93114654410951e-11, 11.0), "direct3d")
 @given(LENS, st.sampled_from(sorted(DEPTH_RANGES)))
 def test_recognition_is_the_inverse_of_the_matrix(lens: Any, depth: Any) -> None:
     projection = replace(EDIT, lens=lens, depth=depth)

@@ -34,7 +34,9 @@ def shortest(
         rounded = tuple(float(f"{number:.{digits - 1}e}") for number in floats)
         try:
             near_enough = [
-                abs(a - b) <= ROUNDING / 2.0 * max(size, abs(b)) if digits <= MEANT else a == b
+                abs(a - b) <= min(ROUNDING / 2.0 * max(size, abs(b)), OF_ITSELF * abs(b))
+                if digits <= MEANT
+                else a == b
                 for a, b, size in zip(cells(*rounded), wanted, sizes, strict=True)
             ]
             if all(near_enough):
