@@ -182,6 +182,14 @@ LENS = st.one_of(
 @QUICK
 @example(Orthographic(-1.0, 1.0, -1.0, 1.0, 7.620625532145991e-40, 11.0), "direct3d")
 @example(Oblique(-1.0, 1.0, -1.0, 1.0, 3.93114654410951e-11, 11.0), "direct3d")
+@example(Perspective(165.77260352285845, 4.540286496156354, math.inf), "opengl")
+@example(
+    Oblique(
+        -1.0, 2.0, -1.0, 1.0, 2.187130168476247, 11.0,
+        alpha_deg=165.09355157873904, beta_deg=161.76328127509197,
+    ),
+    "opengl",
+)  # fmt: skip
 @given(LENS, st.sampled_from(sorted(DEPTH_RANGES)))
 def test_recognition_is_the_inverse_of_the_matrix(lens: Any, depth: Any) -> None:
     projection = replace(EDIT, lens=lens, depth=depth)

@@ -14,7 +14,7 @@ from app.arithmetic.double_double import cotangent_deg
 from app.arithmetic.rationals import Rationals
 from app.model.lenses.lens import Lens, LensTable, Windowed
 from app.model.lenses.orthographic import Parallel, box_table
-from app.model.lenses.solving import same, shortest
+from app.model.lenses.solving import arc_cotangent_deg, same, shortest
 from app.model.limits import (
     LARGEST_SHEAR,
     SMALLEST_WINDOW,
@@ -104,11 +104,11 @@ def _angle_deg(cot: Fraction) -> float:
     def cell(angle_deg: float) -> tuple[float, ...]:
         return (float(cotangent_deg(Fraction(angle_deg))),)
 
-    solved = math.degrees(math.atan2(1.0, float(cot)))
+    solved = arc_cotangent_deg(cot)
     for preset_deg in chain.from_iterable(OBLIQUE_PRESETS.values()):
-        if abs(preset_deg - solved) <= 2.0 * math.ulp(solved):
+        if abs(preset_deg - solved) <= 2.0 * math.ulp(preset_deg):
             return preset_deg
-    return shortest(cell, (Fraction(solved),), (float(cot),), (1.0,))[0]
+    return shortest(cell, (solved,), (float(cot),), (1.0,))[0]
 
 
 def _cot_deg(angle_deg: float) -> float:

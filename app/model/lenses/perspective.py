@@ -17,7 +17,7 @@ from app.arithmetic.rationals import Rationals
 from app.model.lenses.answers import Angles, Axes, ExactWindow, Intrinsics, Window
 from app.model.lenses.central import FULL_FRAME_DIAGONAL_MM, Central
 from app.model.lenses.lens import NEAR, LensTable, plane_letters
-from app.model.lenses.solving import shortest
+from app.model.lenses.solving import arc_cotangent_deg, shortest
 from app.model.limits import SMALLEST_FIELD, Array, Keep, between, keep_checked, positive
 from app.model.parameter import Parameter, stated
 from app.model.refusal import REFUSALS, Refusal
@@ -194,8 +194,7 @@ def _fov_y_deg(cot: Fraction) -> float:
     def cell(fov_y_deg: float) -> tuple[float, ...]:
         return (float(cotangent_deg(Fraction(fov_y_deg) / 2)),)
 
-    solved = math.degrees(2.0 * math.atan2(1.0, float(cot)))
-    return shortest(cell, (Fraction(solved),), (float(cot),), (0.0,))[0]
+    return shortest(cell, (2 * arc_cotangent_deg(cot),), (float(cot),), (0.0,))[0]
 
 
 def fov_x_from_fov_y(fov_y_deg: float, aspect: float) -> float:

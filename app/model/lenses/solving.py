@@ -3,8 +3,11 @@
 If you type the matrix of ``near = 1`` you get 1, not 0.9999999999999999.
 """
 
+import math
 from collections.abc import Callable
 from fractions import Fraction
+
+from app.arithmetic.double_double import cotangent_deg
 
 ROUNDING = 2.0**-49  # tolerance of a cell relative to the largest term of its sum: 8 roundings
 OF_ITSELF = 2.0**-20  # tolerance relative to the cell itself: a typed 1e-20 does not count as 0
@@ -44,6 +47,15 @@ def shortest(
         except (ZeroDivisionError, ValueError, OverflowError):  # two ends round to the same decimal
             continue
     return floats
+
+
+def arc_cotangent_deg(cot: Fraction) -> Fraction:
+    """The angle in degrees, between 0 and 180, of a cotangent.
+
+    A step of Newton's method mends the rounding of atan2, which a wide angle's cotangent shows.
+    """
+    angle = Fraction(math.degrees(math.atan2(1.0, float(cot))))
+    return angle + Fraction(math.degrees((cotangent_deg(angle) - cot) / (1 + cot * cot)))
 
 
 def ends(scale: Fraction, skew: Fraction, unit: Fraction) -> tuple[float, float]:
