@@ -14,7 +14,7 @@ from app.arithmetic.double_double import cotangent_deg
 from app.arithmetic.rationals import Rationals
 from app.model.lenses.lens import Lens, LensTable, Windowed
 from app.model.lenses.orthographic import Parallel, box_table
-from app.model.lenses.solving import arc_cotangent_deg, same, shortest
+from app.model.lenses.solving import angle_deg, same
 from app.model.limits import (
     LARGEST_SHEAR,
     SMALLEST_WINDOW,
@@ -99,16 +99,12 @@ class Oblique(Parallel, Windowed):
 
 
 def _angle_deg(cot: Fraction) -> float:
-    """The angle in degrees, between 0 and 180, from its cotangent."""
-
-    def cell(angle_deg: float) -> tuple[float, ...]:
-        return (float(cotangent_deg(Fraction(angle_deg))),)
-
-    solved = arc_cotangent_deg(cot)
+    """The angle in degrees, between 0 and 180, from its cotangent; a preset's if it may be one."""
+    solved = angle_deg(cot, 1.0)
     for preset_deg in chain.from_iterable(OBLIQUE_PRESETS.values()):
-        if abs(preset_deg - solved) <= 2.0 * math.ulp(preset_deg):
+        if abs(preset_deg - solved) <= 2.0 * math.ulp(solved):
             return preset_deg
-    return shortest(cell, (solved,), (float(cot),), (1.0,))[0]
+    return solved
 
 
 def _cot_deg(angle_deg: float) -> float:

@@ -17,7 +17,7 @@ from app.arithmetic.rationals import Rationals
 from app.model.lenses.answers import Angles, Axes, ExactWindow, Intrinsics, Window
 from app.model.lenses.central import FULL_FRAME_DIAGONAL_MM, Central
 from app.model.lenses.lens import NEAR, LensTable, plane_letters
-from app.model.lenses.solving import arc_cotangent_deg, shortest
+from app.model.lenses.solving import angle_deg
 from app.model.limits import SMALLEST_FIELD, Array, Keep, between, keep_checked, positive
 from app.model.parameter import Parameter, stated
 from app.model.refusal import REFUSALS, Refusal
@@ -190,11 +190,7 @@ def _fov_y_deg(cot: Fraction) -> float:
     """The field of view in degrees, from the cotangent of its half."""
     if cot <= 0:
         raise ZeroDivisionError
-
-    def cell(fov_y_deg: float) -> tuple[float, ...]:
-        return (float(cotangent_deg(Fraction(fov_y_deg) / 2)),)
-
-    return shortest(cell, (2 * arc_cotangent_deg(cot),), (float(cot),), (0.0,))[0]
+    return angle_deg(cot, 0.0, times=2)
 
 
 def fov_x_from_fov_y(fov_y_deg: float, aspect: float) -> float:

@@ -49,13 +49,19 @@ def shortest(
     return floats
 
 
-def arc_cotangent_deg(cot: Fraction) -> Fraction:
-    """The angle in degrees, between 0 and 180, of a cotangent.
+def angle_deg(cot: Fraction, size: float, times: int = 1) -> float:
+    """The angle in degrees, `times` one between 0 and 180, from the cotangent of that one.
 
-    A step of Newton's method mends the rounding of atan2, which a wide angle's cotangent shows.
+    `size` is the least size of the cotangent's terms. A step of Newton's method mends the rounding
+    of atan2, which the cotangent of a wide angle shows.
     """
-    angle = Fraction(math.degrees(math.atan2(1.0, float(cot))))
-    return angle + Fraction(math.degrees((cotangent_deg(angle) - cot) / (1 + cot * cot)))
+    part = Fraction(math.degrees(math.atan2(1.0, float(cot))))
+    part += Fraction(math.degrees((cotangent_deg(part) - cot) / (1 + cot * cot)))
+
+    def cell(angle: float) -> tuple[float, ...]:
+        return (float(cotangent_deg(Fraction(angle) / times)),)
+
+    return shortest(cell, (times * part,), (float(cot),), (size,))[0]
 
 
 def ends(scale: Fraction, skew: Fraction, unit: Fraction) -> tuple[float, float]:
