@@ -7,16 +7,9 @@ import mpmath as mp
 import numpy as np
 import pytest
 
+from app.model.lenses import Frustum, Oblique, Orthographic, Perspective
 from app.model.lenses.perspective import focal_length_35mm
-from app.model.projection import (
-    Camera,
-    Frustum,
-    Oblique,
-    Orbit,
-    Orthographic,
-    Perspective,
-    Projection,
-)
+from app.model.projection import Camera, Orbit, Projection
 from app.scenes.phenomena.focus import PHENOMENON, blur_mm, sharpness
 from app.scenes.phenomena.illustration import OwnMesh, Subject
 from app.scenes.phenomena.marks import Aperture

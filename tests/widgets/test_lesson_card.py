@@ -68,7 +68,7 @@ from widgets.window.lesson_blocks import VIEWS
 from widgets.window.lesson_blocks.choices import ChoiceView
 from widgets.window.lesson_blocks.marked import ClickView, TaskView
 from widgets.window.lesson_blocks.view import BlockView, Sign
-from widgets.window.lesson_card import TOUR, WHILE_MOVING_MS
+from widgets.window.lesson_card import TOUR, WHILE_MOVING_MS, LessonCard
 from widgets.window.main_window import MainWindow
 from widgets.window.pointing import Cross
 from widgets.window.step_page import StepPage
@@ -82,6 +82,16 @@ def lesson(tmp_path: Path) -> Path:
     path = tmp_path / "wide.md"
     path.write_text(LESSON, encoding="utf-8")
     return path
+
+
+def opened(window: MainWindow, tmp_path: Path, text: str) -> LessonCard:
+    """The card of an active window with a lesson of this text, once all is at rest."""
+    path = tmp_path / "lesson.md"
+    path.write_text(text, encoding="utf-8")
+    activate(window)
+    window.lesson_card.open(path)
+    come_to_rest(window)
+    return window.lesson_card
 
 
 def test_a_sign_grows_with_the_letters_beside_it(qtbot: QtBot) -> None:
@@ -281,12 +291,7 @@ right: lens.near=0.4
 def test_the_keys_of_several_questions_are_those_of_the_one_with_the_cursor(
     window: MainWindow, tmp_path: Path
 ) -> None:
-    path = tmp_path / "hints.md"
-    path.write_text(HINTS, encoding="utf-8")
-    activate(window)
-    card = window.lesson_card
-    card.open(path)
-    come_to_rest(window)
+    card = opened(window, tmp_path, HINTS)
     one, other, bare, near = card.page.blocks
     other.field.setFocus()
     press(KEY.Key_I, ALT)
@@ -397,10 +402,7 @@ def test_a_wrong_idea_is_seen_beside_the_model_until_the_step_goes_on(
 
 @pytest.mark.undrawn
 def test_a_state_that_is_seen_already_is_not_offered(window: MainWindow, tmp_path: Path) -> None:
-    path = tmp_path / "seen.md"
-    path.write_text(PREDICTED, encoding="utf-8")
-    card = window.lesson_card
-    card.open(path)
+    card = opened(window, tmp_path, PREDICTED)
     for number, is_offered in ((1, False), (2, True)):
         block = card.page.blocks[0]
         block.findChildren(QRadioButton)[number].click()
@@ -734,10 +736,7 @@ tiles: scale 1,2,1; translate 3,0,0
 def test_what_is_typed_and_not_submitted_outlives_another_step(
     window: MainWindow, tmp_path: Path
 ) -> None:
-    path = tmp_path / "begun.md"
-    path.write_text(BEGUN, encoding="utf-8")
-    card = window.lesson_card
-    card.open(path)
+    card = opened(window, tmp_path, BEGUN)
     cells, half, which, tiles = card.page.blocks
     cells.findChildren(QLineEdit)[1].setText("3|")
     half.findChild(QLineEdit).setText("0,")
