@@ -107,7 +107,9 @@ _TOKEN = re.compile(
     r"|(?P<sign>[+-])|(?P<times>\*)|(?P<other>\.\w*|.)",
     re.IGNORECASE,
 )
-_FUNCTION = re.compile(r"(?i)(?:^|\W|XMMatrix)(?:p?inv|inver\w+|transpose|\w*[hn]_?stack|c_|dot)$")
+_FUNCTION = re.compile(
+    r"(?i)(?:^|\W|XMMatrix)(?:p?inv|inver\w{1,20}|transpose|(?:h|column_?)stack|c_|dot)$"
+)
 _NAMES = re.compile(r"[^\W\d]\w*").fullmatch
 _ITEM = re.compile(r"- (- )?(\S+)")
 _QUOTED = re.compile(rf".[+-]?{_UNSIGNED}.")

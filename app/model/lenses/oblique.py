@@ -101,10 +101,8 @@ class Oblique(Parallel, Windowed):
 def _angle_deg(cot: Fraction) -> float:
     """The angle in degrees, between 0 and 180, from its cotangent; a preset's if it may be one."""
     solved = angle_deg(cot, 1.0)
-    for preset_deg in chain.from_iterable(OBLIQUE_PRESETS.values()):
-        if abs(preset_deg - solved) <= 2.0 * math.ulp(solved):
-            return preset_deg
-    return solved
+    presets = chain.from_iterable(OBLIQUE_PRESETS.values())
+    return next((each for each in presets if abs(each - solved) <= 2.0 * math.ulp(solved)), solved)
 
 
 def _cot_deg(angle_deg: float) -> float:
