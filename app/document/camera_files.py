@@ -191,13 +191,14 @@ def _placed(pose: Array, before: Camera, group: Group) -> Camera:
     lengths = np.linalg.norm(axes, axis=0)
     axes = axes / np.where(lengths > 0.0, lengths, 1.0)
     error = np.abs(axes.T @ axes - np.eye(3)).max()
-    scale, bound = (lengths.max(), "rotation") if _NERF in group else (1.0, "unit-rotation")
+    scale, bound = 1.0, REFUSALS["unit-rotation"]
+    if _NERF in group:
+        scale, bound = lengths.max(), REFUSALS["rotation"]
     is_uneven = np.abs(lengths - scale).max() > _TURNED * scale
     if error > _TURNED or is_uneven or np.linalg.det(axes) < 0.0:
         names = (_NERF, *_CALLED["pose"], *_CALLED["rotation"])
         key, node = next(group[name] for name in names if name in group)
-        value = " ".join(map(str, _tokens(node)))
-        raise Refusal.in_document(REFUSALS[bound], field=key, value=value)
+        raise Refusal.in_document(bound, field=key, value=" ".join(map(str, _tokens(node))))
     distance = math.dist(eye.tolist(), before.target) or before.distance
     return Camera(eye.tolist(), (eye - distance * axes[:, 2]).tolist(), axes[:, 1].tolist())
 
