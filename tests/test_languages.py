@@ -14,10 +14,11 @@ from app.document.document import Document
 from app.drawings import DrawingWords
 from app.drawings.label import SceneLabel
 from app.drawings.style import LIGHT
+from app.lecture.typesetting import outline
 from app.lessons.contents import contained
 from app.lessons.course import ideas
 from app.lessons.lesson import head_of, read
-from app.lessons.text import spoken_tex
+from app.lessons.text import html_of, spoken_tex
 from app.lessons.translating import in_language
 from app.measure.meaning import meaning
 from app.measure.single import shipped
@@ -80,6 +81,25 @@ def test_numbers_have_a_comma(english: str, other: str) -> None:
     assert languages.with_comma(english) == english
     languages.choose("hr")
     assert languages.with_comma(english) == other
+
+
+@pytest.mark.parametrize(
+    ("english", "other"),
+    [
+        ("T_0 = (5, 4.5, 8)", "T_0 = (5; 4{,}5; 8)"), (r"(1.5,\ -2,\ x)", r"(1{,}5; \ -2; \ x)"),
+        (r"\left[-0.5,1\right]", r"\left[-0{,}5; 1\right]"), ("(3, 1, 0)", "(3, 1, 0)"),
+        (r"(1\,000, 2)\,0.5", r"(1\,000, 2)\,0{,}5"),
+        ("x = 0.5, y = (z, 1)", "x = 0{,}5, y = (z, 1)"),
+        (r"(1\,000.5, 2)", r"(1\,000{,}5; 2)"),
+    ],
+)  # fmt: skip
+def test_a_point_with_commas_in_its_numbers_has_semicolons_in_a_formula(
+    english: str, other: str
+) -> None:
+    assert html_of(f"${english}$")[1] == (english,)
+    languages.choose("hr")
+    assert html_of(f"${english}$")[1] == (other,)
+    outline(other)
 
 
 def test_a_lesson_s_language_has_its_commas_in_an_english_window() -> None:
