@@ -2168,10 +2168,6 @@
         <translation>kraj</translation>
     </message>
     <message>
-        <source>the pose</source>
-        <translation>položaj i orijentacija</translation>
-    </message>
-    <message>
         <source>There is no OpenGL 3.2 to draw with: update the graphics driver; on Linux install Mesa (libegl1 libegl-mesa0 libgl1-mesa-dri) or start with LIBGL_ALWAYS_SOFTWARE=1.</source>
         <translation>Nema OpenGL-a 3.2 za crtanje: ažurirajte upravljački program grafike; na Linuxu instalirajte Mesu (libegl1 libegl-mesa0 libgl1-mesa-dri) ili pokrenite s LIBGL_ALWAYS_SOFTWARE=1.</translation>
     </message>
@@ -8008,6 +8004,10 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     <message>
         <source>must be a range like 20..100 step 5, or numbers separated by commas</source>
         <translation>mora biti raspon poput 20..100 step 5 ili brojevi odvojeni zarezima</translation>
+    </message>
+    <message>
+        <source>must be a rotation: axes of length 1 at right angles, not mirrored</source>
+        <translation>mora biti rotacija: međusobno okomite osi duljine 1, bez zrcaljenja</translation>
     </message>
     <message>
         <source>must be a rotation: equally long axes at right angles, not mirrored</source>
