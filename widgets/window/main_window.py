@@ -330,9 +330,6 @@ class MainWindow(QMainWindow):
         self.settings.all_digits = on
         all_digits.set(on)
 
-    def reduce_motion(self, on: bool) -> None:
-        self.settings.reduce_motion = on
-
     def show_motion(self) -> None:
         self.menus.reduce_motion.setChecked(not self.transition.is_wanted)
 

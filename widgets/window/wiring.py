@@ -61,7 +61,7 @@ def _wire_components(window: Any) -> None:
         (look.built, window.set_style, window.slide.equation.set_style, window.slide.pen.set_style),
         (look.built, window.band.set_style),
         (menus.all_digits.triggered, window.set_all_digits),
-        (menus.reduce_motion.triggered, window.reduce_motion),
+        (menus.reduce_motion.triggered, lambda on: setattr(window.settings, "reduce_motion", on)),
         (menus.view_menu.aboutToShow, window.show_motion),
         (menus.find.triggered, window.find_control),
         (menus.play.triggered, controls.animation.toggle),
