@@ -25,19 +25,9 @@ import numpy as np
 from app.arithmetic import double_double as dd
 from app.arithmetic.double_double import DoubleDouble
 from app.arithmetic.rationals import Rationals, diagonal, dot, eliminate, nearest, product
+from app.model import limits
 from app.model.formula import Letter
-from app.model.limits import (
-    LARGEST,
-    Array,
-    Row,
-    Vector,
-    check_name,
-    finite,
-    finite_vector,
-    keep_checked,
-    read_only,
-    within,
-)
+from app.model.limits import Array, Row, Vector
 from app.model.numerals import numbers as numbers_in
 from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal, format_value
 from app.model.refusal import nearest as nearest_word
@@ -56,7 +46,7 @@ FLATTENED = QT_TRANSLATE_NOOP(
 
 MOST_TILES = 8
 LARGEST_SCALE = 1e30  # largest scale: its product with a coordinate up to `LARGEST` is finite
-_LIMITS = (LARGEST_SCALE, LARGEST_SCALE, LARGEST_SCALE, LARGEST_SCALE * LARGEST)
+_LIMITS = (LARGEST_SCALE, LARGEST_SCALE, LARGEST_SCALE, LARGEST_SCALE * limits.LARGEST)
 _SLACK = 1.0001  # a product of rotations may be larger than 1 by their last bit
 _ROUNDINGS = 6.0  # most roundings in the double-double sum of a coordinate
 _STEEP = 1e-12  # a view direction is vertical, and a camera level, to so much
@@ -179,8 +169,8 @@ class Tile:
         field, numbers = kind.field, tuple(self.numbers)
         if len(numbers) != len(kind.neutral):
             raise Refusal(field, numbers, REFUSALS["so-many"], len(kind.neutral), self.kind)
-        numbers = tuple(finite(field, part) + 0.0 for part in numbers)
-        keep_checked(self, numbers=numbers)
+        numbers = tuple(limits.finite(field, part) + 0.0 for part in numbers)
+        limits.keep_checked(self, numbers=numbers)
         if field == "matrix":
             if numbers[12:] != (0.0, 0.0, 0.0, 1.0):
                 raise Refusal(field, numbers[12:], REFUSALS["has-w"])
@@ -192,7 +182,7 @@ class Tile:
         if field in ("scale", "shear", "matrix"):
             for place, part in enumerate(numbers):
                 if field != "matrix" or place % 4 < 3:
-                    within(field, part, -LARGEST_SCALE, LARGEST_SCALE)
+                    limits.within(field, part, -LARGEST_SCALE, LARGEST_SCALE)
 
     @classmethod
     def read(cls, text: str) -> Tile:
@@ -285,7 +275,7 @@ class Chain:
         if len(tiles) > MOST_TILES:
             most, ninth = REFUSALS["chain-too-many"], tiles[MOST_TILES].text
             raise Refusal("chain", ninth, most, MOST_TILES, len(tiles))
-        keep_checked(self, tiles=tiles)
+        limits.keep_checked(self, tiles=tiles)
         if len(self.on) > 1:
             for row in self.exact[:3]:
                 for part, limit in zip(row, _LIMITS, strict=True):
@@ -493,7 +483,7 @@ class Chain:
             local[row, 3] = float(part - Fraction(away))
         if origin == target:
             kept[origin, target] = local
-        return read_only(local)
+        return limits.read_only(local)
 
     @cached_property
     def _kept(self) -> dict[tuple[Any, ...], Any]:
@@ -551,8 +541,8 @@ class FiveTiles:
 
     def __post_init__(self) -> None:
         for field in ("translate", "rotate_deg", "scale"):
-            keep_checked(self, **{field: finite_vector(field, getattr(self, field))})
-        check_name("order", self.order, ORDERS)
+            limits.keep_checked(self, **{field: limits.finite_vector(field, getattr(self, field))})
+        limits.check_name("order", self.order, ORDERS)
         _ = self.chain  # which checks the sizes of the numbers
 
     @property

@@ -150,9 +150,6 @@ class Pen(QWidget):
         if changed:
             self.switched.emit(on)
 
-    def toggle(self) -> None:
-        self.switch(not self.is_on)
-
     def take(self, colour: str) -> None:
         self.colour, self.erases = colour, False
         self._show_bar()
