@@ -291,6 +291,5 @@ class Pen(QWidget):
         drawn = [Stroke(self.colour, tuple(self._drawn))] if self._drawn else []
         strokes = [*self.here, *drawn]
         if strokes:
-            painter = QtGui.QPainter(self)
-            paint_strokes(painter, QRectF(self.rect()), strokes, self._style)
-            painter.end()
+            with QtGui.QPainter(self) as painter:
+                paint_strokes(painter, QRectF(self.rect()), strokes, self._style)
