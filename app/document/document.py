@@ -17,6 +17,7 @@ from app.document.compare import Held
 from app.document.view import View
 from app.model.chain import FiveTiles, Tile
 from app.model.lenses import LENSES, FreeMatrix, kinds
+from app.model.limits import Cells, Vector
 from app.model.matrix_text import read_matrix
 from app.model.numerals import number, numbers
 from app.model.parameter import Settings
@@ -221,8 +222,7 @@ NAMES = FieldKind(lambda text: [name.strip() for name in text.split(",") if name
 
 # --------------------------------------------------------------------------- the table
 
-# The types are texts, as `from __future__ import annotations` leaves them in each module.
-_BY_TYPE = {"float": NUMBER, "Vector": VECTOR, "Cells": MATRIX}
+_BY_TYPE: dict[Any, FieldKind] = {float: NUMBER, Vector: VECTOR, Cells: MATRIX}
 _KINDS = {bool: SWITCH, str: TEXT, tuple: VECTOR}
 
 
@@ -232,7 +232,7 @@ def _fields(
     """Return the fields of a section that is a dataclass; texts and options are never required."""
     described = []
     for each in fields(owner):
-        kind = _BY_TYPE.get(str(each.type).removesuffix(" | None"), TEXT)
+        kind = next((_BY_TYPE[t] for t in _BY_TYPE if each.type in (t, t | None)), TEXT)
         needed = required and each.type in _BY_TYPE
         unit = "°" if each.name.endswith("_deg") else "units"
         described.append(Field(section, each.name, kinds.get(each.name, kind), needed, unit))

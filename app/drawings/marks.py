@@ -16,8 +16,6 @@ float64, and cut to a box that float32 can hold; a copy's matrix is moved there 
     local_from_local = world_to_origin . world_from_world . origin_to_world
 """
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
@@ -337,7 +335,7 @@ class MarksDrawing(Layer):
             if copy.detail is not None:
                 copy.detail.show(fewer)
 
-    def _build(self, copied: _CopyActors) -> None:
+    def _build(self, copied: "_CopyActors") -> None:
         if copied.detail is not None:
             return
         copied.surface = actors.SceneActors(self._state.scene, self._style, self._clip).surface
@@ -348,7 +346,7 @@ class MarksDrawing(Layer):
                 actors.lift_lines(copied.surface, COPY_LIFT)
             self._canvas.add(copied.surface, renderer=self._state.renderer)
 
-    def _dress(self, copied: _CopyActors, copy: Copy | None) -> None:
+    def _dress(self, copied: "_CopyActors", copy: Copy | None) -> None:
         if copied.surface is None:
             return
         copied.surface.SetVisibility(copy is not None)
@@ -374,8 +372,8 @@ class MarksDrawing(Layer):
         return rgba
 
     def _batches(
-        self, batches: list[_Batch], kind: Literal["Lines", "Verts"], sizes: Array
-    ) -> list[tuple[_Batch, float, NDArray[np.intp]]]:
+        self, batches: "list[_Batch]", kind: Literal["Lines", "Verts"], sizes: Array
+    ) -> "list[tuple[_Batch, float, NDArray[np.intp]]]":
         """A batch for each size, and whose size it is; small dots come on large ones."""
         distinct = sorted(set(sizes[~np.isnan(sizes)].tolist()), reverse=kind == "Verts")
         batches += [self._batch(kind) for _ in range(len(distinct) - len(batches))]
@@ -384,7 +382,7 @@ class MarksDrawing(Layer):
         pairs = zip(batches, distinct, strict=False)
         return [(batch, size, np.flatnonzero(sizes == size)) for batch, size in pairs]
 
-    def _batch(self, kind: Literal["Lines", "Polys", "Verts"]) -> _Batch:
+    def _batch(self, kind: Literal["Lines", "Polys", "Verts"]) -> "_Batch":
         batch = _Batch(kind)
         if kind == "Polys":
             batch.actor.ForceTranslucentOn()

@@ -11,8 +11,6 @@ the world and its origin (lecture 003).
 - Two chains do the same if their `exact` products are equal, whatever their tiles.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
@@ -61,11 +59,11 @@ class WorldPoints(NamedTuple):
     lost: Array  # bound on the error of their sum, added over the three coordinates, (n,)
 
     @classmethod
-    def at(cls, world: Array) -> WorldPoints:
+    def at(cls, world: Array) -> "WorldPoints":
         """Points given in world coordinates, (n, 3)."""
         return cls(world, None, np.zeros(len(world)))
 
-    def part(self, which: slice) -> WorldPoints:
+    def part(self, which: slice) -> "WorldPoints":
         rest = None if self.rest is None else self.rest[which]
         return WorldPoints(self.world[which], rest, self.lost[which])
 
@@ -185,7 +183,7 @@ class Tile:
                     limits.within(field, part, -LARGEST_SCALE, LARGEST_SCALE)
 
     @classmethod
-    def read(cls, text: str) -> Tile:
+    def read(cls, text: str) -> "Tile":
         """Read a tile as `text` writes it, or raise a `Refusal`."""
         words = text.replace("°", " ").split()
         is_off = words[:1] == ["off"]
@@ -212,7 +210,7 @@ class Tile:
             parts = parts[size:]
         return " ".join(words)
 
-    def partly(self, part: float) -> Tile:
+    def partly(self, part: float) -> "Tile":
         """A part of the move: of an angle, a way, a factor. A mirror flattens half-way."""
         if self.kind.startswith("mirror"):
             return Tile("scale", tuple(1.0 - 2.0 * part * (x == self.kind[-1]) for x in "xyz"))
@@ -224,7 +222,7 @@ class Tile:
         except Refusal:  # a typed matrix that is singular on the way
             return self
 
-    def towards(self, numbers: Sequence[float], part: float) -> Tile:
+    def towards(self, numbers: Sequence[float], part: float) -> "Tile":
         """The tile with its numbers on the way to others."""
         mixed = ((1.0 - part) * a + part * b for a, b in zip(self.numbers, numbers, strict=True))
         return replace(self, numbers=tuple(mixed))
@@ -283,7 +281,7 @@ class Chain:
                         raise Refusal("chain", self.text, REFUSALS["chain-too-large"], limit)
 
     @classmethod
-    def read(cls, text: str) -> Chain:
+    def read(cls, text: str) -> "Chain":
         """Read a chain as `text` writes it, tiles between semicolons, or raise a `Refusal`."""
         return cls(tuple(map(Tile.read, text.split(";"))) if text.strip() else ())
 
@@ -309,7 +307,7 @@ class Chain:
         names = iter(kind.field for kind in lettered_kinds(self.kinds))
         return tuple("" if tile.is_off else next(names) for tile in self.tiles)
 
-    def after(self, moves: float, *, from_left: bool = False) -> Chain:
+    def after(self, moves: float, *, from_left: bool = False) -> "Chain":
         """The chain after so many moves of the tiles that are on, the last one in part.
 
         They are read from the right, in the world's axes; or done from the left, in the axes that
@@ -326,15 +324,15 @@ class Chain:
         places = (i for i, each in enumerate(self.tiles) if each.kind in kinds and not each.is_off)
         return next(places, None)
 
-    def with_tile(self, place: int, *tiles: Tile, over: int = 0) -> Chain:
+    def with_tile(self, place: int, *tiles: Tile, over: int = 0) -> "Chain":
         """The chain with tiles put in at a place, perhaps over some that stood there."""
         return Chain((*self.tiles[:place], *tiles, *self.tiles[place + over :]))
 
-    def moved(self, place: int, to: int) -> Chain:
+    def moved(self, place: int, to: int) -> "Chain":
         return self.with_tile(place, over=1).with_tile(to, self.tiles[place])
 
     @property
-    def five(self) -> FiveTiles | None:
+    def five(self) -> "FiveTiles | None":
         """The chain as five tiles, if it has these or none."""
         if not self.tiles:
             return FiveTiles()
@@ -347,7 +345,7 @@ class Chain:
                 return FiveTiles(move, turn, size, order)
         return None
 
-    def towards(self, other: Chain, part: float) -> Chain:
+    def towards(self, other: "Chain", part: float) -> "Chain":
         """A chain between two; the other one, if their tiles are of different kinds."""
         mine, theirs = self.tiles or other._neutral, other.tiles or self._neutral
         if [tile.kind for tile in mine] != [tile.kind for tile in theirs]:

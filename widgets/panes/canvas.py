@@ -14,8 +14,6 @@ styles are not used: they render, rewrite the clipping range at every drag, and 
 changes of the scene.
 """
 
-from __future__ import annotations
-
 import math
 import time
 from abc import abstractmethod
@@ -199,7 +197,7 @@ class GlCanvas(_Canvas):
         super().closeEvent(event)
 
 
-_OPEN: WeakSet[RasterCanvas] = WeakSet()
+_OPEN: "WeakSet[RasterCanvas]" = WeakSet()
 _GL_PACK_INVERT_MESA = 0x8758
 
 
