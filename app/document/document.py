@@ -11,7 +11,7 @@ import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, fields, replace
 from types import MappingProxyType
-from typing import Any, NamedTuple, TypeAlias
+from typing import Any, NamedTuple, TypeAlias, get_type_hints
 
 from app.document.compare import Held
 from app.document.view import View
@@ -230,10 +230,11 @@ def _fields(
     section: str, owner: type, required: bool, **kinds: FieldKind | None
 ) -> tuple[Field, ...]:
     """Return the fields of a section that is a dataclass; texts and options are never required."""
-    described = []
+    described, types = [], get_type_hints(owner)
     for each in fields(owner):
-        kind = next((_BY_TYPE[t] for t in _BY_TYPE if each.type in (t, t | None)), TEXT)
-        needed = required and each.type in _BY_TYPE
+        own = types[each.name]
+        kind = next((_BY_TYPE[t] for t in _BY_TYPE if own in (t, t | None)), TEXT)
+        needed = required and own in _BY_TYPE
         unit = "°" if each.name.endswith("_deg") else "units"
         described.append(Field(section, each.name, kinds.get(each.name, kind), needed, unit))
     return tuple(described)
