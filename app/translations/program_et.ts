@@ -3440,8 +3440,8 @@
         <translation>Pildi laius pikslites.</translation>
     </message>
     <message>
-        <source>Width over height. The height stays, and with it the vertical field of view: the picture gains or loses at its sides.</source>
-        <translation>Laius jagatud kõrgusega. Kõrgus jääb samaks ja koos sellega vertikaalne frustumi nurk: pilt võidab või kaotab külgedelt.</translation>
+        <source>Width over height. The height stays, and with it the vertical field of view: the picture gains or loses at its sides. The window of another lens follows as “Proportions” says.</source>
+        <translation>Laius jagatud kõrgusega. Kõrgus jääb samaks ja koos sellega vertikaalne frustumi nurk: pilt võidab või kaotab külgedelt. Teise objektiivi aken järgib seda nii, nagu määravad „Proportsioonid“.</translation>
     </message>
     <message>
         <source>cabinet, 30°</source>

@@ -3455,8 +3455,8 @@
         <translation>Širina slike u pikselima.</translation>
     </message>
     <message>
-        <source>Width over height. The height stays, and with it the vertical field of view: the picture gains or loses at its sides.</source>
-        <translation>Širina kroz visinu. Visina ostaje, a s njom i vertikalno vidno polje: slika se proširuje ili sužava sa strana.</translation>
+        <source>Width over height. The height stays, and with it the vertical field of view: the picture gains or loses at its sides. The window of another lens follows as “Proportions” says.</source>
+        <translation>Širina kroz visinu. Visina ostaje, a s njom i vertikalno vidno polje: slika se proširuje ili sužava sa strana. Prozor drugog objektiva prati je kako je zadano pod „Proporcije”.</translation>
     </message>
     <message>
         <source>cabinet, 30°</source>

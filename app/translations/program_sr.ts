@@ -3455,8 +3455,8 @@
         <translation>Ширина слике у пикселима.</translation>
     </message>
     <message>
-        <source>Width over height. The height stays, and with it the vertical field of view: the picture gains or loses at its sides.</source>
-        <translation>Ширина према висини. Висина остаје, а са њом и вертикално видно поље: слика добија или губи са страна.</translation>
+        <source>Width over height. The height stays, and with it the vertical field of view: the picture gains or loses at its sides. The window of another lens follows as “Proportions” says.</source>
+        <translation>Ширина према висини. Висина остаје, а са њом и вертикално видно поље: слика добија или губи са страна. Прозор другог објектива прати је како је задато под „Пропорције”.</translation>
     </message>
     <message>
         <source>cabinet, 30°</source>
