@@ -420,6 +420,7 @@ class Hand(QObject):
             kinds.Leave: self._leave,
             kinds.Gesture: self._gesture,
             kinds.ToolTip: self._show_tip,
+            kinds.WindowDeactivate: self._lose,
         }
         canvas.installEventFilter(self)
         self._rest = QTimer(self, singleShot=True, interval=REST_MS)
@@ -521,6 +522,14 @@ class Hand(QObject):
             self.clicked.emit(middle)
         return True
 
+    def _lose(self, _event: QEvent) -> bool:
+        """End a drag: a dialog, a menu or another window takes the release of the button."""
+        is_dragged = self._dragged_from is not None
+        self._last = self._pressed = self._dragged_from = None
+        if is_dragged:
+            self.drag_ended.emit()
+        return False
+
     def _middle(self, position: QPointF) -> QPointF:
         """Return the middle of the pixel at a position, in device pixels."""
         return (position + QPointF(0.5, 0.5)) * self._canvas.pixel_ratio
@@ -533,6 +542,7 @@ class Hand(QObject):
     def _move(self, event: QtGui.QMouseEvent) -> bool:
         event.accept()
         if event.buttons() == Qt.MouseButton.NoButton:
+            self._lose(event)
             self._hover(event.position())
             return True
         ratio = self._canvas.pixel_ratio
