@@ -499,9 +499,11 @@ class Hand(QObject):
     def _press(self, event: QtGui.QMouseEvent) -> bool:
         event.accept()
         self.at = None
+        is_left = event.button() == Qt.MouseButton.LeftButton
+        if is_left:
+            self._lose(event)  # a menu may have taken the last release
         if self._dragged_from is None:  # another button does not belong to a drag
             self._last = event.position()
-            is_left = event.button() == Qt.MouseButton.LeftButton
             self._pressed = event.position() if is_left else None
         return True
 
@@ -523,7 +525,7 @@ class Hand(QObject):
         return True
 
     def _lose(self, _event: QEvent) -> bool:
-        """End a drag: a dialog, a menu or another window takes the release of the button."""
+        """End a drag: a dialog or another window takes the release of the button."""
         is_dragged = self._dragged_from is not None
         self._last = self._pressed = self._dragged_from = None
         if is_dragged:
@@ -542,7 +544,6 @@ class Hand(QObject):
     def _move(self, event: QtGui.QMouseEvent) -> bool:
         event.accept()
         if event.buttons() == Qt.MouseButton.NoButton:
-            self._lose(event)
             self._hover(event.position())
             return True
         ratio = self._canvas.pixel_ratio
