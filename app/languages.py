@@ -50,6 +50,7 @@ _ENTITIES = {"&lt;": "<", "&gt;": ">", "&quot;": '"', "&apos;": "'", "&#xa0;": "
 _CAPITAL = "[\u0402-\u040f\u0410-\u042f]"
 _IN_CAPITALS = re.compile(f"(?<={_CAPITAL})[ЉЊЏ]|[ЉЊЏ](?={_CAPITAL})")
 _NUMBERS = re.compile(r"(?<![\w.])[-−+]?\d+(?:\.\d+)?(?:, *[-−+]?\d+(?:\.\d+)?)+(?![\w.]*\d)")
+_IN_BRACKETS = re.compile(r"[(\[][^()\[\]]*[)\]]")  # of TeX, which parts what a comma ends
 _TYPED = re.compile(r"[=:]\S*\d\.\d|ndc: |16\.16")  # texts with what stays as it is typed
 _POINT = re.compile(r"(?<=\d)\.(?=\d)(?!\d+\.\d)(?<!\d\.\d\.)")
 
@@ -96,9 +97,8 @@ def cached(function: Callable[_P, _T]) -> Callable[_P, _T]:
 def known(names: Iterable[str]) -> str:
     """Return the first language that the program has, of locales such as ``sr_RS@latin``."""
     for name in names:
-        parts = set(re.split("[-_.@]", name.lower()))
-        code = re.split("[-_.@]", name.lower())[0]
-        if code == "sr" and parts & {"latn", "latin"}:
+        code, *more = re.split("[-_.@]", name.lower())
+        if code == "sr" and {"latn", "latin"} & {*more}:
             return "sr-Latn"
         if code in LANGUAGES:
             return code
@@ -214,11 +214,11 @@ def with_comma(text: str, *, in_tex: bool = False) -> str:
     """Return a text with its numbers as the language writes them: 1,5 and (0,5; 1; 2)."""
     if _Chosen.program == ENGLISH or "." not in text:
         return text
-    return _POINT.sub("{,}", text) if in_tex else _with_comma(text)  # TeX parts what a comma ends
+    return _with_comma(text, _IN_BRACKETS, "{,}") if in_tex else _with_comma(text)
 
 
-def _with_comma(text: str) -> str:
-    text = _NUMBERS.sub(
-        lambda match: re.sub(", *", "; ", match[0]) if "." in match[0] else match[0], text
+def _with_comma(text: str, lists: re.Pattern[str] = _NUMBERS, comma: str = ",") -> str:
+    text = lists.sub(
+        lambda row: re.sub(r"(?<!\\), *", "; ", row[0]) if _POINT.search(row[0]) else row[0], text
     )
-    return _POINT.sub(",", text)
+    return _POINT.sub(comma, text)

@@ -1,8 +1,10 @@
 """The language of the program: which one, its texts, plural forms, letters and numbers."""
 
+import re
 import subprocess
 import sys
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 from xml.etree import ElementTree
@@ -14,10 +16,12 @@ from app.document.document import Document
 from app.drawings import DrawingWords
 from app.drawings.label import SceneLabel
 from app.drawings.style import LIGHT
+from app.lecture.typesetting import outline
 from app.lessons.contents import contained
 from app.lessons.course import ideas
 from app.lessons.lesson import head_of, read
-from app.lessons.text import spoken_tex
+from app.lessons.practice import exercises_of, topics
+from app.lessons.text import html_of, spoken_tex
 from app.lessons.translating import in_language
 from app.measure.meaning import meaning
 from app.measure.single import shipped
@@ -80,6 +84,25 @@ def test_numbers_have_a_comma(english: str, other: str) -> None:
     assert languages.with_comma(english) == english
     languages.choose("hr")
     assert languages.with_comma(english) == other
+
+
+@pytest.mark.parametrize(
+    ("english", "other"),
+    [
+        ("T_0 = (5, 4.5, 8)", "T_0 = (5; 4{,}5; 8)"), (r"(1.5,\ -2,\ x)", r"(1{,}5; \ -2; \ x)"),
+        (r"\left[-0.5,1\right]", r"\left[-0{,}5; 1\right]"), ("(3, 1, 0)", "(3, 1, 0)"),
+        (r"(1\,000, 2)\,0.5", r"(1\,000, 2)\,0{,}5"),
+        ("x = 0.5, y = (z, 1)", "x = 0{,}5, y = (z, 1)"),
+        (r"(1\,000.5, 2)", r"(1\,000{,}5; 2)"),
+    ],
+)  # fmt: skip
+def test_a_point_with_commas_in_its_numbers_has_semicolons_in_a_formula(
+    english: str, other: str
+) -> None:
+    assert html_of(f"${english}$")[1] == (english,)
+    languages.choose("hr")
+    assert html_of(f"${english}$")[1] == (other,)
+    outline(other)
 
 
 def test_a_lesson_s_language_has_its_commas_in_an_english_window() -> None:
@@ -229,3 +252,25 @@ def test_a_command_speaks_the_language_asked_for() -> None:
     )
     refused = said("matrices", "--set", "lens.near=-1", "--language", "et")
     assert refused.startswith("lens.near = -1: ") and "must be" not in refused
+
+
+BEHIND_MANY = "krugova|bitova|stabala|metara|stupnjeva|redaka"
+BEHIND_FEW, BEHIND_ONE = f"{BEHIND_MANY}|jedinica", f"{BEHIND_MANY}|radijana|piksela"
+"""Forms of nouns that are wrong behind 2, 3 or 4, or behind 1 and 21, in Croatian and Serbian."""
+
+
+@pytest.mark.parametrize("language", ["hr", "sr-Latn"])
+def test_no_noun_behind_a_drawn_number_has_the_form_behind_another_one(language: str) -> None:
+    languages.choose(language)
+    few = rf"(?<![\d.,])\d*(?<!1)[2-4]\$? (?:{BEHIND_FEW})\b"
+    one = rf"(?<![\d.,])\d*(?<!1)1\$? (?:{BEHIND_ONE})\b"
+    wrong = set()
+    for course in topics().values():
+        for exercise in exercises_of(course):
+            for seed in range(1, 9):
+                with suppress(Refusal):
+                    *_, question, here = exercise.with_numbers(seed)
+                    replies = [reply.verdict(here).says for reply in question.replies]
+                    text = " ".join((question.text, *question.hints, question.why, *replies))
+                    wrong.update(re.findall(rf"{few}|{one}", text))
+    assert not wrong

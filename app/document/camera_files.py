@@ -20,7 +20,6 @@ import numpy as np
 
 from app.document.codec import Path, tree_of
 from app.document.document import Tree
-from app.languages import said
 from app.model.camera import (
     rotation_from_quaternion,
     rotation_from_vector,
@@ -50,7 +49,7 @@ _OTHERS, _OTHER_KEYS = _PAGE["endings"].named, _PAGE["keys"].named
 _CALLED = {ours: names.split() for ours, names in _PAGE["names"].named.items()}
 _PARAMETERS = {model: int(count) for model, count in _PAGE["models"].named.items()}
 _MODELS = (*_PARAMETERS, *_CALLED["perspective"], "")
-_FOUR, _SIDES = ("fx", "fy", "cx", "cy"), ("width", "height")
+_FOUR, _SIDES, _NERF = ("fx", "fy", "cx", "cy"), ("width", "height"), "transformmatrix"
 MOST_SKEW_PX = 0.5
 _TURNED = 3e-3  # most that a pose's axes may miss right angles: three digits are enough to be read
 _MIDDLE = 0.3, 0.7  # where an image of the right size has its principal point, in its sides
@@ -158,7 +157,7 @@ def _seen(
     camera, lens = projection.camera, projection.with_eye().lens
     near, far = lens.near, lens.far
     if pose is not None:
-        camera = _placed(pose, projection.camera)
+        camera = _placed(pose, projection.camera, group)
         ratio = camera.distance / projection.camera.distance
         near, far = (float(f"{plane * ratio:.3g}") for plane in (near, far))
     lens = Perspective(near=near, far=far)
@@ -183,17 +182,23 @@ def _focal(group: Group, axis: str, side: int) -> list[float]:
 
 
 @np.errstate(over="ignore", invalid="ignore")  # what is too large is no rotation
-def _placed(pose: Array, before: Camera) -> Camera:
-    """Return the camera of a pose; its target is as far away as that of the camera before."""
+def _placed(pose: Array, before: Camera, group: Group) -> Camera:
+    """Return the camera of a pose; its target is as far away as that of the camera before.
+
+    Only NeRF's poses may have a scale, which does not move their eye.
+    """
     axes, eye = pose[:, :3], pose[:, 3]
     lengths = np.linalg.norm(axes, axis=0)
     axes = axes / np.where(lengths > 0.0, lengths, 1.0)
     error = np.abs(axes.T @ axes - np.eye(3)).max()
-    is_uneven = lengths.max() > lengths.min() * (1.0 + _TURNED)
+    scale, bound = 1.0, REFUSALS["unit-rotation"]
+    if _NERF in group:
+        scale, bound = lengths.max(), REFUSALS["rotation"]
+    is_uneven = np.abs(lengths - scale).max() > _TURNED * scale
     if error > _TURNED or is_uneven or np.linalg.det(axes) < 0.0:
-        raise Refusal.in_document(
-            REFUSALS["rotation"], field=said("the pose"), value=pose[:, :3].tolist()
-        )
+        names = (_NERF, *_CALLED["pose"], *_CALLED["rotation"])
+        key, node = next(group[name] for name in names if name in group)
+        raise Refusal.in_document(bound, field=key, value=" ".join(map(str, _tokens(node))))
     distance = math.dist(eye.tolist(), before.target) or before.distance
     return Camera(eye.tolist(), (eye - distance * axes[:, 2]).tolist(), axes[:, 1].tolist())
 
@@ -243,7 +248,7 @@ def _numbers(group: Group, names: Sequence[str], *counts: int) -> list[float]:
 
 def _frame(tree: Tree, frame: Tree, projection: Projection) -> Projection:
     group = _group({**tree, **frame})
-    if not (cells := _numbers(group, ["transformmatrix"], 16, 12)):
+    if not (cells := _numbers(group, [_NERF], 16, 12)):
         raise Refusal.in_document(REFUSALS["missing"], field="transform_matrix")
     return _seen(group, np.reshape(cells, (-1, 4))[:3], 0.5, projection)
 

@@ -1107,7 +1107,7 @@
     </message>
     <message>
         <source>This takes {0}° for {1} radians. Look at the letter, turned by that many radians.</source>
-        <translation>Ovo uzima {0}° kao {1} radijana. Pogledajte slovo okrenuto za toliko radijana.</translation>
+        <translation>Ovo uzima {0}° kao {1} u radijanima. Pogledajte slovo okrenuto za toliko radijana.</translation>
     </message>
     <message>
         <source>Column 1 is the x axis of the turned letter, column 2 its y axis.</source>
@@ -1426,7 +1426,7 @@
     </message>
     <message>
         <source>This takes {0}° for {1} radians, which is more than a whole turn. Look at the angle: it is less than a quarter of one.</source>
-        <translation>Ovo uzima {0}° kao {1} radijana, a to je više od cijelog okreta. Pogledajte kut: manji je od četvrtine okreta.</translation>
+        <translation>Ovo uzima {0}° kao {1} u radijanima, a to je više od cijelog okreta. Pogledajte kut: manji je od četvrtine okreta.</translation>
     </message>
     <message>
         <source>This takes the vertical angle for the horizontal one. Look at a square picture with the same vertical angle: only here is it the horizontal one.</source>
@@ -1725,7 +1725,7 @@
     </message>
     <message>
         <source>This takes {0}° for {1} radians, which is more than a whole turn. Look at the angle: it is less than a quarter of one.</source>
-        <translation>Ovo uzima {0}° kao {1} radijana, a to je više od cijelog okreta. Pogledajte kut: manji je od četvrtine okreta.</translation>
+        <translation>Ovo uzima {0}° kao {1} u radijanima, a to je više od cijelog okreta. Pogledajte kut: manji je od četvrtine okreta.</translation>
     </message>
     <message>
         <source>In the triangle of eye, axis and upper plane, the angle at the eye is half of {0}.</source>
@@ -1741,7 +1741,7 @@
     </message>
     <message>
         <source>Set the field of view so that the pyramid reaches {0} units to each side of the axis at the depth {1}.</source>
-        <translation>Postavite vidno polje tako da piramida na dubini {1} seže po {0} jedinica na svaku stranu osi.</translation>
+        <translation>Postavite vidno polje tako da piramida na dubini {1} seže {0} na svaku stranu osi.</translation>
     </message>
     <message>
         <source>Half of the horizontal angle has the tangent {0}/{1}.</source>
@@ -3805,7 +3805,7 @@
     </message>
     <message>
         <source>The cube is turned by {0}° about y. Set the camera so that exactly {1} of its three directions have a vanishing point.</source>
-        <translation>Kocka je okrenuta za {0}° oko y. Postavite kameru tako da točno {1} od njezina tri smjera ima nedogled.</translation>
+        <translation>Kocka ima tri smjera i okrenuta je za {0}° oko y. Postavite kameru tako da broj smjerova s nedogledom bude točno {1}.</translation>
     </message>
     <message>
         <source>Which elevation makes the uprights parallel to the picture?</source>
@@ -4383,7 +4383,7 @@
     </message>
     <message>
         <source>The image is {0} pixels wide. At which {1} is the centre of pixel {2}?</source>
-        <translation>Slika je široka {0} piksela. U kojem je {1} središte piksela {2}?</translation>
+        <translation>Širina slike je {0} px. U kojem je {1} središte piksela {2}?</translation>
     </message>
     <message>
         <source>This is the left edge of the pixel. Its centre is half a pixel farther, at {0}. Look at the numbers beside the frame, from 0 to {1}: pixel {2} reaches from {3} to {4}.</source>
@@ -6844,7 +6844,7 @@
     </message>
     <message>
         <source>The origin is {0} units away. This number lies between {1} and {2}, which are powers of 2. By how many units is a float32 near it off at most?</source>
-        <translation>Ishodište je udaljeno {0} jedinica. Taj broj leži između {1} i {2}, koji su potencije od 2. Za koliko je jedinica float32 blizu njega najviše pomaknut?</translation>
+        <translation>Udaljenost do ishodišta je {0}. Taj broj leži između {1} i {2}, koji su potencije od 2. Za koliko je jedinica float32 blizu njega najviše pomaknut?</translation>
     </message>
     <message>
         <source>This is the distance between two numbers. A coordinate becomes the nearer one, so it is off by half of it at most. Look at the arrows: each corner goes to the nearer number.</source>
@@ -7099,7 +7099,7 @@
     </message>
     <message>
         <source>Each round adds {0}° to the lean, and the camera goes {1} rounds. The field of view is {2}°, and the picture is 720 pixels high. By how many pixels has its middle moved at most?</source>
-        <translation>Svaki krug dodaje nagibu {0}°, a kamera napravi {1} krugova. Vidno polje je {2}°, a slika je visoka 720 piksela. Za koliko se piksela njezina sredina najviše pomaknula?</translation>
+        <translation>Svaki krug dodaje nagibu {0}°, a broj krugova je {1}. Vidno polje je {2}°, a slika je visoka 720 piksela. Za koliko se piksela njezina sredina najviše pomaknula?</translation>
     </message>
     <message>
         <source>A round is a round</source>
@@ -7107,7 +7107,7 @@
     </message>
     <message>
         <source>This is the drift of one round. The next round begins where this one ended, and adds its own. Look at the picture after {0} rounds: the letters are farther apart.</source>
-        <translation>To je odlutavanje jednog kruga. Sljedeći krug počinje gdje je ovaj završio i dodaje svoje. Pogledajte sliku nakon {0} krugova: slova su više razmaknuta.</translation>
+        <translation>To je odlutavanje jednog kruga. Sljedeći krug počinje gdje je ovaj završio i dodaje svoje. Pogledajte sliku nakon {0}. kruga: slova su više razmaknuta.</translation>
     </message>
     <message>
         <source>This takes the tangent of the whole field of view. Half the picture belongs to half of the angle. Look at the picture at 90°: it is {0} high at the distance 1; {1} would be infinite.</source>
@@ -7115,7 +7115,7 @@
     </message>
     <message>
         <source>By how many degrees does it lean after {0} rounds?</source>
-        <translation>Za koliko je stupnjeva nagnuta nakon {0} krugova?</translation>
+        <translation>Za koliko je stupnjeva nagnuta nakon {0}. kruga?</translation>
     </message>
     <message>
         <source>At the distance 1 the picture is {0} high, and the middle moves by {1}.</source>
@@ -7470,7 +7470,7 @@
     </message>
     <message>
         <source>Two meshes are {0} and {1} units wide and stored in 8 bits, each over its own box. You see the seam from {2} units away. By how many pixels are both copies of a vertex apart at most, across both axes?</source>
-        <translation>Dvije mreže široke su {0} i {1} jedinica i spremljene u 8 bitova, svaka nad vlastitim kvadrom. Šav vidite s udaljenosti od {2} jedinica. Koliko su piksela dvije kopije vrha najviše razmaknute, po objema osima?</translation>
+        <translation>Širine dviju mreža su {0} i {1}, a spremljene su u 8 bitova, svaka nad vlastitim kvadrom. Šav vidite s udaljenosti {2}. Koliko su piksela dvije kopije vrha najviše razmaknute, po objema osima?</translation>
     </message>
     <message>
         <source>This lets only the larger mesh round. The smaller one rounds, too, and may go the other way. Look at the seam: both edges are in steps.</source>

@@ -1107,7 +1107,7 @@
     </message>
     <message>
         <source>This takes {0}° for {1} radians. Look at the letter, turned by that many radians.</source>
-        <translation>Овде је {0}° узето као {1} радијана. Погледајте слово окренуто за толико радијана.</translation>
+        <translation>Овде је {0}° узето као {1} у радијанима. Погледајте слово окренуто за толико радијана.</translation>
     </message>
     <message>
         <source>Column 1 is the x axis of the turned letter, column 2 its y axis.</source>
@@ -1426,7 +1426,7 @@
     </message>
     <message>
         <source>This takes {0}° for {1} radians, which is more than a whole turn. Look at the angle: it is less than a quarter of one.</source>
-        <translation>Овде је {0}° узето као {1} радијана, а то је више од целог круга. Погледајте угао: мањи је од четвртине круга.</translation>
+        <translation>Овде је {0}° узето као {1} у радијанима, а то је више од целог круга. Погледајте угао: мањи је од четвртине круга.</translation>
     </message>
     <message>
         <source>This takes the vertical angle for the horizontal one. Look at a square picture with the same vertical angle: only here is it the horizontal one.</source>
@@ -1725,7 +1725,7 @@
     </message>
     <message>
         <source>This takes {0}° for {1} radians, which is more than a whole turn. Look at the angle: it is less than a quarter of one.</source>
-        <translation>Овде је {0}° узето као {1} радијана, а то је више од целог круга. Погледајте угао: мањи је од четвртине круга.</translation>
+        <translation>Овде је {0}° узето као {1} у радијанима, а то је више од целог круга. Погледајте угао: мањи је од четвртине круга.</translation>
     </message>
     <message>
         <source>In the triangle of eye, axis and upper plane, the angle at the eye is half of {0}.</source>
@@ -1741,7 +1741,7 @@
     </message>
     <message>
         <source>Set the field of view so that the pyramid reaches {0} units to each side of the axis at the depth {1}.</source>
-        <translation>Поставите видно поље тако да пирамида на дубини {1} досеже {0} јединица на сваку страну осе.</translation>
+        <translation>Поставите видно поље тако да пирамида на дубини {1} досеже {0} на сваку страну осе.</translation>
     </message>
     <message>
         <source>Half of the horizontal angle has the tangent {0}/{1}.</source>
@@ -3805,7 +3805,7 @@
     </message>
     <message>
         <source>The cube is turned by {0}° about y. Set the camera so that exactly {1} of its three directions have a vanishing point.</source>
-        <translation>Коцка је окренута за {0}° око y. Поставите камеру тако да тачно {1} од њена три смера има тачку недогледа.</translation>
+        <translation>Коцка има три смера и окренута је за {0}° око y. Поставите камеру тако да број смерова са тачком недогледа буде тачно {1}.</translation>
     </message>
     <message>
         <source>Which elevation makes the uprights parallel to the picture?</source>
@@ -4383,7 +4383,7 @@
     </message>
     <message>
         <source>The image is {0} pixels wide. At which {1} is the centre of pixel {2}?</source>
-        <translation>Слика је широка {0} пиксела. На ком {1} је средиште пиксела {2}?</translation>
+        <translation>Ширина слике је {0} px. На ком {1} је средиште пиксела {2}?</translation>
     </message>
     <message>
         <source>This is the left edge of the pixel. Its centre is half a pixel farther, at {0}. Look at the numbers beside the frame, from 0 to {1}: pixel {2} reaches from {3} to {4}.</source>
@@ -6398,7 +6398,7 @@
     </message>
     <message>
         <source>The first two trees are {0} ahead of the camera, and each following pair 6 farther. Set far so that exactly {1} trees are drawn; a tree that far cuts counts.</source>
-        <translation>Прва два дрвета су {0} испред камере, а сваки следећи пар 6 даље. Поставите задњу раван тако да се црта тачно {1} стабала; дрво које задња раван сече рачуна се.</translation>
+        <translation>Прва два дрвета су {0} испред камере, а сваки следећи пар 6 даље. Поставите задњу раван тако да се црта тачно толико стабала: {1}; дрво које задња раван сече рачуна се.</translation>
     </message>
     <message>
         <source>How deep is pair number {0}? Far must lie just behind it.</source>
@@ -6844,7 +6844,7 @@
     </message>
     <message>
         <source>The origin is {0} units away. This number lies between {1} and {2}, which are powers of 2. By how many units is a float32 near it off at most?</source>
-        <translation>Координатни почетак је на {0} јединица. Овај број лежи између {1} и {2}, а то су степени броја 2. За колико јединица float32 око њега највише одступа?</translation>
+        <translation>Растојање до координатног почетка је {0}. Овај број лежи између {1} и {2}, а то су степени броја 2. За колико јединица float32 око њега највише одступа?</translation>
     </message>
     <message>
         <source>This is the distance between two numbers. A coordinate becomes the nearer one, so it is off by half of it at most. Look at the arrows: each corner goes to the nearer number.</source>
@@ -7107,7 +7107,7 @@
     </message>
     <message>
         <source>This is the drift of one round. The next round begins where this one ended, and adds its own. Look at the picture after {0} rounds: the letters are farther apart.</source>
-        <translation>Ово је заношење једног круга. Следећи круг почиње где се овај завршио, и додаје своје. Погледајте слику после {0} кругова: слова су размакнутија.</translation>
+        <translation>Ово је заношење једног круга. Следећи круг почиње где се овај завршио, и додаје своје. Погледајте слику после {0}. круга: слова су размакнутија.</translation>
     </message>
     <message>
         <source>This takes the tangent of the whole field of view. Half the picture belongs to half of the angle. Look at the picture at 90°: it is {0} high at the distance 1; {1} would be infinite.</source>
@@ -7115,7 +7115,7 @@
     </message>
     <message>
         <source>By how many degrees does it lean after {0} rounds?</source>
-        <translation>За колико се степени нагиње после {0} кругова?</translation>
+        <translation>За колико се степени нагиње после {0}. круга?</translation>
     </message>
     <message>
         <source>At the distance 1 the picture is {0} high, and the middle moves by {1}.</source>
@@ -7470,7 +7470,7 @@
     </message>
     <message>
         <source>Two meshes are {0} and {1} units wide and stored in 8 bits, each over its own box. You see the seam from {2} units away. By how many pixels are both copies of a vertex apart at most, across both axes?</source>
-        <translation>Две мреже су широке {0} и {1} јединица и чувају се у 8 бита, свака у сопственом оквиру. Шав видите са {2} јединица. За колико пиксела су обе копије темена највише размакнуте, преко обе осе?</translation>
+        <translation>Ширине двеју мрежа су {0} и {1}, а чувају се у 8 бита, свака у сопственом оквиру. Шав видите са растојања {2}. За колико пиксела су обе копије темена највише размакнуте, преко обе осе?</translation>
     </message>
     <message>
         <source>This lets only the larger mesh round. The smaller one rounds, too, and may go the other way. Look at the seam: both edges are in steps.</source>

@@ -2168,10 +2168,6 @@
         <translation>lõpp</translation>
     </message>
     <message>
-        <source>the pose</source>
-        <translation>asend</translation>
-    </message>
-    <message>
         <source>There is no OpenGL 3.2 to draw with: update the graphics driver; on Linux install Mesa (libegl1 libegl-mesa0 libgl1-mesa-dri) or start with LIBGL_ALWAYS_SOFTWARE=1.</source>
         <translation>Joonistamiseks puudub OpenGL 3.2: uuendage graafikadraiverit; Linuxis paigaldage Mesa (libegl1 libegl-mesa0 libgl1-mesa-dri) või käivitage muutujaga LIBGL_ALWAYS_SOFTWARE=1.</translation>
     </message>
@@ -7992,6 +7988,10 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     <message>
         <source>must be a range like 20..100 step 5, or numbers separated by commas</source>
         <translation>peab olema vahemik nagu 20..100 step 5 või komadega eraldatud arvud</translation>
+    </message>
+    <message>
+        <source>must be a rotation: axes of length 1 at right angles, not mirrored</source>
+        <translation>peab olema pööre: teljed pikkusega 1 täisnurga all, peegeldamata</translation>
     </message>
     <message>
         <source>must be a rotation: equally long axes at right angles, not mirrored</source>

@@ -2168,10 +2168,6 @@
         <translation>kraj</translation>
     </message>
     <message>
-        <source>the pose</source>
-        <translation>položaj i orijentacija</translation>
-    </message>
-    <message>
         <source>There is no OpenGL 3.2 to draw with: update the graphics driver; on Linux install Mesa (libegl1 libegl-mesa0 libgl1-mesa-dri) or start with LIBGL_ALWAYS_SOFTWARE=1.</source>
         <translation>Nema OpenGL-a 3.2 za crtanje: ažurirajte upravljački program grafike; na Linuxu instalirajte Mesu (libegl1 libegl-mesa0 libgl1-mesa-dri) ili pokrenite s LIBGL_ALWAYS_SOFTWARE=1.</translation>
     </message>
@@ -7435,7 +7431,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>cloud: must have 1 to {1} points, and {0} were given.</source>
-        <translation>cloud: mora imati 1 do {1} točaka, a zadano ih je {0}.</translation>
+        <translation>cloud: mora imati od 1 do {1} točaka, a zadano ih je {0}.</translation>
     </message>
     <message>
         <source>comes with the program and cannot be changed: copy it, and open the copy</source>
@@ -8010,6 +8006,10 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>mora biti raspon poput 20..100 step 5 ili brojevi odvojeni zarezima</translation>
     </message>
     <message>
+        <source>must be a rotation: axes of length 1 at right angles, not mirrored</source>
+        <translation>mora biti rotacija: međusobno okomite osi duljine 1, bez zrcaljenja</translation>
+    </message>
+    <message>
         <source>must be a rotation: equally long axes at right angles, not mirrored</source>
         <translation>mora biti rotacija: jednako duge, međusobno okomite osi, bez zrcaljenja</translation>
     </message>
@@ -8311,7 +8311,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>must have 1 to {0} rows, separated by “;”, each with the same number of cells, 1 to {0}, separated by “,”; and at least two cells</source>
-        <translation>mora imati 1 do {0} redaka, odvojenih znakom „;”, svaki s jednakim brojem ćelija, 1 do {0}, odvojenih znakom „,”; i bar dvije ćelije</translation>
+        <translation>mora imati od 1 do {0} redaka, odvojenih znakom „;”, svaki s jednakim brojem ćelija, od 1 do {0}, odvojenih znakom „,”; i bar dvije ćelije</translation>
     </message>
     <message>
         <source>must have a left 3 x 3 block with an inverse: the camera is at infinity, as a parallel one is</source>
@@ -8395,7 +8395,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>must name 1 to {0} matrices, such as {1}</source>
-        <translation>mora imenovati 1 do {0} matrica, npr. {1}</translation>
+        <translation>mora imenovati od 1 do {0} matrica, npr. {1}</translation>
     </message>
     <message>
         <source>must name matrices such as {0}; this lens has no matrix {1}</source>

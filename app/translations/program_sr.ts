@@ -2168,10 +2168,6 @@
         <translation>краја</translation>
     </message>
     <message>
-        <source>the pose</source>
-        <translation>положај</translation>
-    </message>
-    <message>
         <source>There is no OpenGL 3.2 to draw with: update the graphics driver; on Linux install Mesa (libegl1 libegl-mesa0 libgl1-mesa-dri) or start with LIBGL_ALWAYS_SOFTWARE=1.</source>
         <translation>Нема OpenGL-а 3.2 за цртање: ажурирајте управљачки програм графике; на Linux-у инсталирајте Mesa (libegl1 libegl-mesa0 libgl1-mesa-dri) или покрените са LIBGL_ALWAYS_SOFTWARE=1.</translation>
     </message>
@@ -8008,6 +8004,10 @@ An error in {3} is {2} times as large in u and v.</source>
     <message>
         <source>must be a range like 20..100 step 5, or numbers separated by commas</source>
         <translation>мора да буде опсег као 20..100 step 5, или бројеви раздвојени зарезима</translation>
+    </message>
+    <message>
+        <source>must be a rotation: axes of length 1 at right angles, not mirrored</source>
+        <translation>мора да буде ротација: осе дужине 1 под правим угловима, без рефлексије</translation>
     </message>
     <message>
         <source>must be a rotation: equally long axes at right angles, not mirrored</source>

@@ -190,7 +190,8 @@ TURNED = "must be a rotation: equally long axes at right angles, not mirrored."
          "transform_matrix = '1 0 0 0 1 0 0 0 1': must be 16 finite numbers."),
         (nerf({"transform_matrix": [[1, 0, 0, "x"], *EYE_BACK[1:]]}),
          "transform_matrix = '1 0 0 x 0 1 0 1.0 0 0 1 1.2 0 0 0 1': must be 16 finite numbers."),
-        (nerf({"transform_matrix": [[1, 0.2, 0, 3], *EYE_BACK[1:]]}), TURNED),
+        (nerf({"transform_matrix": [[1, 0.2, 0, 3], *EYE_BACK[1:]]}),
+         f"transform_matrix = '1 0.2 0 3 0 1 0 1.0 0 0 1 1.2 0 0 0 1': {TURNED}"),
         (nerf({"transform_matrix": [[0, 0, 0, 3], *EYE_BACK[1:]]}), TURNED),
         (nerf({"transform_matrix": [[2, 0, 0, 3], *EYE_BACK[1:]]}), TURNED),
         (nerf({"transform_matrix": [[-1, 0, 0, 3], *EYE_BACK[1:]]}), TURNED),
@@ -413,7 +414,13 @@ def test_a_pose_that_is_too_large_is_no_rotation_and_no_warning() -> None:
         ("K: [500, 0, 320, 0, 500, 240, 0, 0, 1]\nw: 640\nh: 480\ntvec: [1, 2, 3]\n",
          "left.yml: t = [1, 2, 3]: must have three numbers for each rotation, which has three or"),
         ("K: [500, 0, 320, 0, 500, 240, 0, 0, 1]\nw: 640\nh: 480\nt: [1, 2, 3]\n"
-         "R: [1, 0, 0, 0, 1, 0, 0, 0, -1]\n", TURNED),
+         "R: [1, 0, 0, 0, 1, 0, 0, 0, -1]\n",
+         "left.yml: R = '1 0 0 0 1 0 0 0 -1': must be a rotation: axes of length 1 at right angles,"
+         " not mirrored."),
+        ("K: [500, 0, 320, 0, 500, 240, 0, 0, 1]\nw: 640\nh: 480\nt: [0, 0, 5]\n"
+         "R: [1.1, 0, 0, 0, 1.1, 0, 0, 0, 1.1]\n", "left.yml: R = '1.1 0 0 0 1.1 0 0 0 1.1': must"),
+        ("K: [500, 0, 320, 0, 500, 240, 0, 0, 1]\nw: 640\nh: 480\n"
+         "extrinsics: [0.9, 0, 0, 0, 0, 0.9, 0, 0, 0, 0, 0.9, 5]\n", "axes of length 1 at right"),
         ("camera_matrix: !!python/object/apply:os.system ['echo 1 2 3 4']\n",
          "left.yml: camera_matrix = \"!!python/object/apply:os.system 'echo 1 2 3 4'\": must be"),
         ("fx: 5\nfy: 5\ncx: 3\ncy: 3\ndist_coeff: [0, 0.1]\n", "left.yml: dist_coeff = '0 0.1': "),

@@ -92,7 +92,7 @@ class Outcome(NamedTuple):
             return "" if right else f"status {self.status}, or not a sentence about the file"
         if self.status == 0:  # notes say what of a mesh is left out
             noted = all(line.isprintable() and line.startswith(f"{path}: ") for line in lines)
-            noted = noted and len(lines) <= (2 if path.suffix in (".obj", ".ply") else 0)
+            noted = noted and len(lines) <= (0 if path.suffix == ".json" else 2)
             return "" if self.out and noted else "opened, but said something or nothing"
         if self.status != 2 or self.out or len(lines) != 1:
             return f"status {self.status}, {len(lines)} lines"

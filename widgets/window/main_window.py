@@ -42,7 +42,7 @@ from widgets.panes.stage_strip import StageStrip
 from widgets.parts import palette
 from widgets.parts.kept_style import KeptStyle
 from widgets.parts.layouts import focus_next, in_column, in_row
-from widgets.parts.messages import MessageBar, all_digits, sentence
+from widgets.parts.messages import MessageBar, sentence
 from widgets.parts.panel import EVERYTHING, Changed, Highlighter, Listener, Panel, ShownData
 from widgets.parts.wording import Wording
 from widgets.window.actions import Actions, take_typed
@@ -325,16 +325,6 @@ class MainWindow(QMainWindow):
 
     def _show_unsaved(self, why: Refusal) -> None:
         self.messages.show_message(WORDS.say("unsaved", sentence(why)))
-
-    def set_all_digits(self, on: bool) -> None:
-        self.settings.all_digits = on
-        all_digits.set(on)
-
-    def reduce_motion(self, on: bool) -> None:
-        self.settings.reduce_motion = on
-
-    def show_motion(self) -> None:
-        self.menus.reduce_motion.setChecked(not self.transition.is_wanted)
 
     def find_control(self) -> None:
         if self.controls.isHidden():

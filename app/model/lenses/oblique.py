@@ -1,7 +1,5 @@
 """The oblique parallel lens: lecture 002's ``P_obl = P_ort H``."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -3,8 +3,6 @@
 Their projectors are parallel: w is 1, and depth is linear in the distance.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
