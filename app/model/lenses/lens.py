@@ -281,10 +281,10 @@ class Windowed(Lens):
 
     window_stays: ClassVar[bool] = True
 
-    left: float
-    right: float
-    bottom: float
-    top: float
+    left: float = -4.0
+    right: float = 4.0
+    bottom: float = -4.0
+    top: float = 4.0
     near: float = 1.0
     far: float = 30.0
     keep: Keep = "stretch"

@@ -139,9 +139,4 @@ class Orthographic(Parallel, Windowed):
     kind: ClassVar[str] = "orthographic"
     tables: ClassVar[tuple[LensTable, ...]] = (TABLE,)
 
-    left: float = -4.0
-    right: float = 4.0
-    bottom: float = -4.0
-    top: float = 4.0
-
     cut = Lens.cut  # the window is the same on every plane
