@@ -483,11 +483,9 @@ class MainWindow(QMainWindow):
         self.menus.pointer.setChecked(False)
         self.slide.pen.switch(False)
         self.slide.pen.setVisible(on)
-        self.look.set_presenting(on)
+        self.fit_screen(on)
         self.controls.set_presenting(on)
-        self.comparing.pictures.set_presenting(on, float(self.screen().size().height()))
-        self.control_strip.set_presenting(on, float(self.screen().size().height()))
-        self.slide.equation.set_screen(float(self.screen().size().height()))
+        self.control_strip.set_presenting(on)
         self._body.setContentsMargins(*(NO_MARGINS if on else BODY_MARGINS))
         self._body.setSpacing(0 if on else BODY_GAP_PX)
         self.body.setAutoFillBackground(on)
@@ -502,6 +500,12 @@ class MainWindow(QMainWindow):
             QTimer.singleShot(0, self, partial(self.split.setSizes, shared))
         self.show_beside()
         self.look.set_waiting(False)
+
+    def fit_screen(self, on: bool = True) -> None:
+        """Use sizes for the screen that the class sees, or the ordinary ones."""
+        self.look.set_presenting(on)
+        self.comparing.pictures.set_presenting(on, self.present.screen_px)
+        self.slide.equation.set_screen(self.present.screen_px)
 
     def set_style(self, style: Style) -> None:
         """Give a slide the colour of its pictures' paper."""

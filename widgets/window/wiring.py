@@ -88,7 +88,7 @@ def _wire_components(window: Any) -> None:
         (probe.changed, lambda: menus.remove_probe.setEnabled(bool(probe.probes))),
         (window.present.switched, window.show_presenting, window.messages.put_off),
         (window.present.switched, window.laser.listen),
-        (window.present.moved, partial(look.set_presenting, True)),
+        (window.present.moved, window.fit_screen),
         (window.slots.rearranged, window.show_beside),
         (window.files.recent_changed, menus.show_recent),
         (window.pictures.exported, window.show_message),
