@@ -2,10 +2,12 @@
 
 import re
 from collections.abc import Iterator
+from datetime import date, timedelta
 from pathlib import Path
 from typing import Any
 
 import pytest
+from PySide6.QtCore import QLocale
 from PySide6.QtWidgets import QApplication, QMenu, QMenuBar
 
 from app import languages
@@ -16,6 +18,7 @@ from app.lecture.equation_form import laid_out
 from app.lecture.titles import stage_title
 from app.lessons import marking
 from app.lessons.contents import contained
+from app.lessons.practice import Waiting
 from app.model.projection import Perspective
 from app.model.refusal import REFUSALS, Refusal
 from app.scenes.scene import BUILT_IN
@@ -24,6 +27,7 @@ from tests.support.window import MakeWindow, settle, show_scene
 from widgets.parts.messages import TranslatedWords, sentence
 from widgets.parts.translator import Translator
 from widgets.window.main_window import MainWindow
+from widgets.window.practice import next_review
 from widgets.window.settings import data_folder
 
 OTHERS = [each for each in languages.LANGUAGES if each != languages.ENGLISH]
@@ -124,6 +128,27 @@ def test_numbers_beside_words_have_a_comma(speak: Any, make_window: MakeWindow) 
     status.show_cost(1.25, {"Svijet": (0.5, 2.5)})
     assert re.search(r"\d,\d", status.cost.toolTip())
     assert "." not in re.sub(r"\.(?!\d)", "", status.cost.toolTip())
+
+
+@pytest.mark.parametrize("language", ["en", "hr", "sr", "sr-Latn", "et"])
+def test_the_sentence_of_the_next_review_ends_in_one_full_stop(language: str, speak: Any) -> None:
+    """Croatian and Serbian dates end in one themselves."""
+    speak(language)
+    before, later = QLocale(), date.today() + timedelta(days=3)
+    QLocale.setDefault(QLocale(language))
+    try:
+        said = next_review(Waiting((), 1, later))
+    finally:
+        QLocale.setDefault(before)
+    assert str(later.year) in said and re.search(r"[^.]\.$", said)
+
+
+@pytest.mark.parametrize("language", ["hr", "sr", "et"])
+def test_examples_of_numbers_have_one_sign_between_them(language: str, speak: Any) -> None:
+    speak(language)
+    with pytest.raises(Refusal) as refusal:
+        marking.read("1,5,5")
+    assert "0,5; 1/2; √3/2" in sentence(refusal.value)
 
 
 def test_an_equation_has_a_comma(speak: Any) -> None:
