@@ -18,8 +18,6 @@ bfloat16    8       2^-133                  Intel, "BFLOAT16: Hardware Numerics 
 ==========  ======  ======================  =====================================================
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from fractions import Fraction
@@ -94,7 +92,7 @@ class Grid(NamedTuple):
     step: float
 
     @classmethod
-    def of_box(cls, box: ArrayLike, bits: int) -> Grid:
+    def of_box(cls, box: ArrayLike, bits: int) -> "Grid":
         """The grid over a box, (2, 3): lower and upper corner."""
         lower, upper = np.asarray(box, dtype=np.float64)
         side = float((upper - lower).max())
@@ -187,7 +185,7 @@ class Quotients:
         self.above, self.below = above, below
 
     @classmethod
-    def of(cls, values: Array) -> Quotients:
+    def of(cls, values: Array) -> "Quotients":
         """The exact values of finite float64, (n,)."""
         mantissas, exponents = np.frexp(values)
         exponents = exponents - _MANTISSA
@@ -206,21 +204,21 @@ class Quotients:
             return self.above * (common // self.below), above * (common // below), common
         return self.above * below, above * self.below, below * self.below
 
-    def __neg__(self) -> Quotients:
+    def __neg__(self) -> "Quotients":
         return Quotients(-self.above, self.below)
 
-    def __add__(self, other: Any) -> Quotients:
+    def __add__(self, other: Any) -> "Quotients":
         mine, its, below = self._on_common_base(other)
         return Quotients(mine + its, below)
 
-    def __sub__(self, other: Any) -> Quotients:
+    def __sub__(self, other: Any) -> "Quotients":
         return self.__add__(-other)
 
-    def __mul__(self, other: Any) -> Quotients:
+    def __mul__(self, other: Any) -> "Quotients":
         above, below = _parts(other)
         return Quotients(self.above * above, self.below * below)
 
-    def __truediv__(self, other: Any) -> Quotients:
+    def __truediv__(self, other: Any) -> "Quotients":
         above, below = _parts(other)
         return Quotients(self.above * below, self.below * above)
 

@@ -3,8 +3,6 @@
 VTK is imported only when a scene is loaded.
 """
 
-from __future__ import annotations
-
 import argparse
 import atexit
 import contextlib
@@ -47,14 +45,14 @@ def set_letters(options: argparse.Namespace) -> Letters | None:
     return letters
 
 
-def course_of(lesson: str) -> Course:
+def course_of(lesson: str) -> "Course":
     from app.lessons.course import Course
     from app.lessons.lesson import read as read_lesson
 
     return Course(read_lesson(full_path(lesson)))
 
 
-def place_of(course: Course, step: str | None) -> int:
+def place_of(course: "Course", step: str | None) -> int:
     """Return the place, from 0, of a step that ``--step`` names or counts; the first without."""
     if step is None:
         return 0
@@ -67,7 +65,7 @@ def place_of(course: Course, step: str | None) -> int:
     return int(step) - 1
 
 
-def state_at(course: Course, place: int) -> Document:
+def state_at(course: "Course", place: int) -> Document:
     """Return a step's document; a refusal names the lesson's file."""
     with blamed_on(course.lesson.path, REFUSALS["files-unreadable"]):
         return course.shown(place).document
@@ -157,7 +155,7 @@ def _open(file: str, over: Document, assignments: Sequence[str]) -> Document:
     return open_with(file, over, assignments)
 
 
-def load_scene(scene: str, mesh: str = "", file: str | None = None) -> Scene:
+def load_scene(scene: str, mesh: str = "", file: str | None = None) -> "Scene":
     """Load a scene once; raise a `CliError` that names `file`, if any, when that fails."""
     with importing():
         from app.scenes.scene import load
@@ -169,7 +167,7 @@ def load_scene(scene: str, mesh: str = "", file: str | None = None) -> Scene:
 
 
 @functools.lru_cache(maxsize=8)  # of a list of large meshes not all
-def _load_once(load: Callable[..., Scene], scene: str, mesh: str) -> Scene:
+def _load_once(load: "Callable[..., Scene]", scene: str, mesh: str) -> "Scene":
     loaded = load(scene, mesh=mesh)
     for note in loaded.notes:
         print_error(str(note), 0)

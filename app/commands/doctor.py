@@ -158,9 +158,8 @@ def _display() -> Iterator[Finding]:
 
 
 def _off_screen() -> Finding:
-    environment = dict(os.environ)
-    for name in ("DISPLAY", "WAYLAND_DISPLAY"):
-        environment.pop(name, None)
+    places = "DISPLAY", "WAYLAND_DISPLAY"
+    environment = {name: value for name, value in os.environ.items() if name not in places}
     answer, problem = _try("app.commands.doctor", environment)
     if answer is None:
         is_lost = problem.startswith(ModuleNotFoundError.__name__)

@@ -13,7 +13,7 @@ from app.commands.terminal import BAD_INPUT, CliError, print_error, write_out
 from app.document.files import write_bytes_atomically
 from app.languages import said
 from app.lessons.course import idea_named
-from app.lessons.record import RIGHT, SHOWN, WRONG
+from app.lessons.record import RIGHT, SHOWN, WRONG, Attempt
 from app.lessons.results import Marker, RemarkedAnswer, StudentResults, read
 from app.model.refusal import Refusal, counted
 from app.strangers import printable
@@ -33,20 +33,27 @@ def results(options: argparse.Namespace, files: Sequence[str]) -> int:
         raise CliError("lesson results needs a FILE.")
     if options.csv:
         check_out("--csv", options.csv, files)
-    read_files: list[tuple[str, StudentResults]] = []
+    marker, seen = Marker(), Counter[tuple[str, Attempt]]()
+    marks: list[tuple[str, StudentResults, list[RemarkedAnswer]]] = []
     names = [Path(file).name for file in files]
     for file, name in zip(files, names, strict=True):
         try:
-            read_files.append((file if names.count(name) > 1 else name, read(file)))
+            each = read(file)
         except Refusal as error:
             print_error(str(error), BAD_INPUT)
-    marker = Marker()
-    marks = [(name, each, list(map(marker.marked, each.attempts))) for name, each in read_files]
+            continue
+        fresh = [a for a in dict.fromkeys(each.attempts) if (each.student, a) not in seen]
+        seen.update((each.student, attempt) for attempt in each.attempts)
+        shown = file if names.count(name) > 1 else name
+        marks.append((shown, each, list(map(marker.marked, fresh))))
     if options.csv:
         rows = (row for name, each, answers in marks for row in _rows(name, each, answers, marker))
         write_bytes_atomically(options.csv, _csv(rows))
-    write_out(f"{printable(line)}\n" for line in _summary([answers for _, _, answers in marks]))
-    return BAD_INPUT if len(read_files) < len(files) else 0
+    lines = [*_summary([answers for _, _, answers in marks])]
+    if copies := seen.total() - len(seen):
+        lines.insert(1, said("{0} left out: already in these files", counted(copies, "answer")))
+    write_out(f"{printable(line)}\n" for line in lines)
+    return BAD_INPUT if len(marks) < len(files) else 0
 
 
 def _rows(

@@ -5,8 +5,6 @@ stage of the NDC pane, and ``--transition`` goes from one step of a talk to the 
 pane's own view stands still, or goes round.
 """
 
-from __future__ import annotations
-
 import argparse
 import contextlib
 import os

@@ -11,12 +11,13 @@ import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, fields, replace
 from types import MappingProxyType
-from typing import Any, NamedTuple, TypeAlias
+from typing import Any, NamedTuple, TypeAlias, get_type_hints
 
 from app.document.compare import Held
 from app.document.view import View
 from app.model.chain import FiveTiles, Tile
 from app.model.lenses import LENSES, FreeMatrix, kinds
+from app.model.limits import Cells, Vector
 from app.model.matrix_text import read_matrix
 from app.model.numerals import number, numbers
 from app.model.parameter import Settings
@@ -221,8 +222,7 @@ NAMES = FieldKind(lambda text: [name.strip() for name in text.split(",") if name
 
 # --------------------------------------------------------------------------- the table
 
-# The types are texts, as `from __future__ import annotations` leaves them in each module.
-_BY_TYPE = {"float": NUMBER, "Vector": VECTOR, "Cells": MATRIX}
+_BY_TYPE: dict[Any, FieldKind] = {float: NUMBER, Vector: VECTOR, Cells: MATRIX}
 _KINDS = {bool: SWITCH, str: TEXT, tuple: VECTOR}
 
 
@@ -230,10 +230,11 @@ def _fields(
     section: str, owner: type, required: bool, **kinds: FieldKind | None
 ) -> tuple[Field, ...]:
     """Return the fields of a section that is a dataclass; texts and options are never required."""
-    described = []
+    described, types = [], get_type_hints(owner)
     for each in fields(owner):
-        kind = _BY_TYPE.get(str(each.type).removesuffix(" | None"), TEXT)
-        needed = required and each.type in _BY_TYPE
+        own = types[each.name]
+        kind = next((_BY_TYPE[t] for t in _BY_TYPE if own in (t, t | None)), TEXT)
+        needed = required and own in _BY_TYPE
         unit = "°" if each.name.endswith("_deg") else "units"
         described.append(Field(section, each.name, kinds.get(each.name, kind), needed, unit))
     return tuple(described)

@@ -3,8 +3,6 @@
 The view is not part of the model: changing it creates neither an undo step nor unsaved work.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
 from typing import Any

@@ -1,7 +1,5 @@
 """The interface of the three drawings, for panes, figures, mouse and keyboard."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, ClassVar, NamedTuple
 
@@ -92,12 +90,12 @@ class Drawing:
 
     pane: ClassVar[str]  # one of `app.document.view.PANES`
     refines: ClassVar[bool] = False  # whether it draws by itself, off the screen
-    board: Board
-    names: Names
+    board: "Board"
+    names: "Names"
     handles = Handles()
-    state: PaneState
-    layers: Layers
-    own: OwnView | StageView | None = None
+    state: "PaneState"
+    layers: "Layers"
+    own: "OwnView | StageView | None" = None
     fit = "named"  # what the world frames, as in `Figure`
     _probes: Sequence[Probe] = ()
     former: Chain | None = None  # the object's moves before an edit, which are shown pale
@@ -215,7 +213,7 @@ class Drawing:
 
     # -- on the way from one state to another
 
-    def begin_glide(self, start: Pose) -> None:
+    def begin_glide(self, start: "Pose") -> None:
         if self.own is not None:
             self.own.begin_glide(start)
 

@@ -9,8 +9,6 @@ Point-Feature Label Placement", ACM TOG 14(3), 1995). The positions round a poin
 All lengths are pixels from the left and from the bottom.
 """
 
-from __future__ import annotations
-
 import math
 import random
 from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
@@ -74,7 +72,7 @@ class Places(NamedTuple):
     leads: bool = True  # whether a leader may join a place that is far away
     brief: NDArray[np.bool_] | None = None  # (n,), where the letter stands alone; None: nowhere
 
-    def part(self, which: slice) -> Places:
+    def part(self, which: slice) -> "Places":
         at = self.centres[which], self.turns[which], self.anchors[which], self.away[which]
         return Places(*at, self.leads)
 
@@ -103,7 +101,7 @@ class Wish(NamedTuple):
             of[places.brief] = self.short[0]
         return of
 
-    def choices(self, ground: Ground) -> tuple[Wish, Places]:
+    def choices(self, ground: "Ground") -> "tuple[Wish, Places]":
         """Make its candidates; level ones that a leader may join slide into the frame."""
         places, frame = self.places(), np.array(ground.limits)
         if self.rank > CLOSE and ground.halo and places.leads and len(self.spots) == 1:
@@ -134,7 +132,7 @@ class KeptSpot(NamedTuple):
     leads: bool
     brief: bool = False  # whether its letter stands alone
 
-    def is_elsewhere(self, other: KeptSpot | None) -> bool:
+    def is_elsewhere(self, other: "KeptSpot | None") -> bool:
         if other is None or (self.spot, self.brief) != (other.spot, other.brief):
             return True
         return math.dist(self.offset, other.offset) + abs(self.turn - other.turn) > 1.0
@@ -313,7 +311,7 @@ class Ground:
         self,
         frame: Sequence[float],
         em: float,
-        draw: Callable[[Ground], None] = lambda _: None,
+        draw: "Callable[[Ground], None]" = lambda _: None,
         halo: float = 0.0,
     ) -> None:
         self._draw: Callable[[Ground], None] | None = draw
@@ -478,7 +476,7 @@ class Candidates(NamedTuple):
     anchors: Floats  # (n, 2)
     has_leader: NDArray[np.bool_]
 
-    def part(self, start: int, end: int) -> Candidates:
+    def part(self, start: int, end: int) -> "Candidates":
         """Return some of them, of one label."""
         which = slice(start, end)
         return Candidates(

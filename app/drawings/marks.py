@@ -16,8 +16,6 @@ float64, and cut to a box that float32 can hold; a copy's matrix is moved there 
     local_from_local = world_to_origin . world_from_world . origin_to_world
 """
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
@@ -29,15 +27,7 @@ from numpy.typing import NDArray
 from vtkmodules.vtkCommonDataModel import vtkPlane
 from vtkmodules.vtkRenderingCore import vtkActor
 
-from app.drawings.actors import (
-    Detail,
-    SceneActors,
-    Space,
-    colour_by_points,
-    lift_lines,
-    put_in_front,
-    unlit_actor,
-)
+from app.drawings import actors
 from app.drawings.label_placement import MARGIN_EM, Ground, on
 from app.drawings.labels import DOT_EM, SCENE
 from app.drawings.layer import NO_POINTS, Layer, PaneState, Placing, together
@@ -310,26 +300,26 @@ class MarksDrawing(Layer):
             self._copies.append(_CopyActors())
         self._shown = []
         origin = self._state.origin
-        for actors, copy in zip(self._copies, copies, strict=False):
+        for copied, copy in zip(self._copies, copies, strict=False):
             matrix = np.array(copy.world_from_world, dtype=np.float64)
             visible = bool(np.isfinite(matrix).all() and matrix.any())
             if visible:
                 matrix[:, 3] += matrix[:, :3] @ origin
                 matrix[:3] -= np.outer(origin, matrix[3])
-                self._build(actors)
-                self._shown.append((actors, matrix))
-            self._dress(actors, copy if visible else None)
-        for actors in self._copies[len(copies) :]:
-            self._dress(actors, None)
+                self._build(copied)
+                self._shown.append((copied, matrix))
+            self._dress(copied, copy if visible else None)
+        for copied in self._copies[len(copies) :]:
+            self._dress(copied, None)
 
     def settle(self) -> None:
         if self._shown:
             pane_from_local = self._state.copies_from_local(COPY_LIFT)
-            for actors, local_from_local in self._shown:
-                actors.space.set_projective(pane_from_local @ local_from_local)
+            for copied, local_from_local in self._shown:
+                copied.space.set_projective(pane_from_local @ local_from_local)
 
     @property
-    def copied_faces(self) -> list[tuple[vtkActor, Space]]:
+    def copied_faces(self) -> list[tuple[vtkActor, actors.Space]]:
         """The faces of all copies so far, each with its `Space`."""
         return [(copy.surface, copy.space) for copy in self._copies if copy.surface is not None]
 
@@ -345,25 +335,25 @@ class MarksDrawing(Layer):
             if copy.detail is not None:
                 copy.detail.show(fewer)
 
-    def _build(self, actors: _CopyActors) -> None:
-        if actors.detail is not None:
+    def _build(self, copied: "_CopyActors") -> None:
+        if copied.detail is not None:
             return
-        actors.surface = SceneActors(self._state.scene, self._style, self._clip).surface
-        actors.detail = Detail(actors.surface)
-        if actors.surface is not None:
-            actors.space.add(actors.surface)
+        copied.surface = actors.SceneActors(self._state.scene, self._style, self._clip).surface
+        copied.detail = actors.Detail(copied.surface)
+        if copied.surface is not None:
+            copied.space.add(copied.surface)
             if self._lifts_copies:
-                lift_lines(actors.surface, COPY_LIFT)
-            self._canvas.add(actors.surface, renderer=self._state.renderer)
+                actors.lift_lines(copied.surface, COPY_LIFT)
+            self._canvas.add(copied.surface, renderer=self._state.renderer)
 
-    def _dress(self, actors: _CopyActors, copy: Copy | None) -> None:
-        if actors.surface is None:
+    def _dress(self, copied: "_CopyActors", copy: Copy | None) -> None:
+        if copied.surface is None:
             return
-        actors.surface.SetVisibility(copy is not None)
+        copied.surface.SetVisibility(copy is not None)
         if copy is not None:
-            actors.surface.GetMapper().SetScalarVisibility(not copy.colour)
+            copied.surface.GetMapper().SetScalarVisibility(not copy.colour)
             if copy.colour:
-                actors.surface.GetProperty().SetColor(*rgb(self._named(copy.colour)))
+                copied.surface.GetProperty().SetColor(*rgb(self._named(copy.colour)))
 
     # -- shared
 
@@ -382,8 +372,8 @@ class MarksDrawing(Layer):
         return rgba
 
     def _batches(
-        self, batches: list[_Batch], kind: Literal["Lines", "Verts"], sizes: Array
-    ) -> list[tuple[_Batch, float, NDArray[np.intp]]]:
+        self, batches: "list[_Batch]", kind: Literal["Lines", "Verts"], sizes: Array
+    ) -> "list[tuple[_Batch, float, NDArray[np.intp]]]":
         """A batch for each size, and whose size it is; small dots come on large ones."""
         distinct = sorted(set(sizes[~np.isnan(sizes)].tolist()), reverse=kind == "Verts")
         batches += [self._batch(kind) for _ in range(len(distinct) - len(batches))]
@@ -392,7 +382,7 @@ class MarksDrawing(Layer):
         pairs = zip(batches, distinct, strict=False)
         return [(batch, size, np.flatnonzero(sizes == size)) for batch, size in pairs]
 
-    def _batch(self, kind: Literal["Lines", "Polys", "Verts"]) -> _Batch:
+    def _batch(self, kind: Literal["Lines", "Polys", "Verts"]) -> "_Batch":
         batch = _Batch(kind)
         if kind == "Polys":
             batch.actor.ForceTranslucentOn()
@@ -400,9 +390,9 @@ class MarksDrawing(Layer):
             batch.actor.ForceOpaqueOn()
         if kind == "Verts":
             batch.actor.GetProperty().RenderPointsAsSpheresOn()
-            put_in_front(batch.actor)
+            actors.put_in_front(batch.actor)
         elif not self._over:
-            lift_lines(batch.actor, _LINE_STEPS if kind == "Lines" else _FACE_STEPS)
+            actors.lift_lines(batch.actor, _LINE_STEPS if kind == "Lines" else _FACE_STEPS)
         self._canvas.add(batch.actor, renderer=self._state.renderer)
         return batch
 
@@ -412,8 +402,8 @@ class _CopyActors:
 
     def __init__(self) -> None:
         self.surface: vtkActor | None = None
-        self.space = Space()
-        self.detail: Detail | None = None
+        self.space = actors.Space()
+        self.detail: actors.Detail | None = None
 
 
 class _Batch:
@@ -425,8 +415,8 @@ class _Batch:
         self._sizes: list[int] = []
         self._points: NDArray[np.float32] = np.empty((0, 3), np.float32)
         self._rgba: NDArray[np.uint8] = np.empty((0, 4), np.uint8)
-        self.actor = unlit_actor(self._mesh)
-        colour_by_points(self.actor, "rgba")
+        self.actor = actors.unlit_actor(self._mesh)
+        actors.colour_by_points(self.actor, "rgba")
         self.actor.SetVisibility(False)
 
     def hide(self) -> None:

@@ -25,8 +25,6 @@ plane is too small to see wherever float32 is not enough for it (of 1086 random 
 one was off by more than half a pixel, at a field of view of 179.998 degrees).
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass, field
@@ -60,7 +58,7 @@ def least_tolerance(scene: Scene, tolerance_px: float) -> float:
     return math.inf if scene.requires & {"texture", "vertices"} else tolerance_px
 
 
-_projected: WeakKeyDictionary[Scene, _Projected] = WeakKeyDictionary()
+_projected: "WeakKeyDictionary[Scene, _Projected]" = WeakKeyDictionary()
 
 
 class ModelActors:
@@ -146,7 +144,7 @@ class ModelActors:
             if made is not None:
                 made.restore()
 
-    def _part(self, which: int, made: _Made, projection: Projection) -> _MeshVertices:
+    def _part(self, which: int, made: "_Made", projection: Projection) -> "_MeshVertices":
         """What a projection leaves of a mesh, computed once for all panes."""
         kept = _projected.get(self._scene)
         if kept is None or kept.fewer is not self._fewer or kept.projection != projection:
@@ -164,7 +162,7 @@ class _Projected:
 
     fewer: Scene | None
     projection: Projection
-    parts: dict[int, _MeshVertices] = field(default_factory=dict)
+    parts: "dict[int, _MeshVertices]" = field(default_factory=dict)
 
 
 class _MeshVertices:
@@ -174,7 +172,7 @@ class _MeshVertices:
     of the points and of the cells that are left, where there are any.
     """
 
-    def __init__(self, part: _MeshPart, made: _Made, projection: Projection) -> None:
+    def __init__(self, part: "_MeshPart", made: "_Made", projection: Projection) -> None:
         per_z, constant = projection.passage.w_of_z  # a constant alone where w is divided out
         clip = part.clip
         if not per_z:
@@ -219,7 +217,7 @@ class _Made:
         )
 
     @cached_property
-    def clusters(self) -> _Clusters:
+    def clusters(self) -> "_Clusters":
         """Its cells by their places, once one of them has to be projected here."""
         return _Clusters.of(self.points.astype(np.float64), self.cells)
 
@@ -299,7 +297,7 @@ class _Clusters(NamedTuple):
     cluster: NDArray[np.integer]
 
     @classmethod
-    def of(cls, points: Array, cells: NDArray[np.integer]) -> _Clusters:
+    def of(cls, points: Array, cells: NDArray[np.integer]) -> "_Clusters":
         """Cluster cells, (m, k), over points, (n, 3)."""
         first, *others = (points[corners] for corners in cells.T)
         low = reduce(np.minimum, others, first)

@@ -13,16 +13,7 @@ from vtkmodules.vtkCommonDataModel import vtkPlane
 from vtkmodules.vtkFiltersSources import vtkConeSource
 from vtkmodules.vtkRenderingCore import vtkActor
 
-from app.drawings.actors import (
-    CUBE_EDGES,
-    Space,
-    face_actor,
-    fitting,
-    lift_lines,
-    line_actor,
-    put_behind,
-    unlit_actor,
-)
+from app.drawings import actors
 from app.drawings.camera import camera_body
 from app.drawings.frame import BODY_BOX
 from app.drawings.frustum import CUBE
@@ -34,18 +25,8 @@ from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE, outline
 from app.drawings.prop_group import PropGroup
 from app.drawings.stage_view import AXES_LENGTH, CANONICAL_AXES, OVERSHOOT, StageView
 from app.drawings.style import rgb
+from app.lecture import stages
 from app.lecture.highlight import AXES, ENDS, SIDES
-from app.lecture.stages import (
-    CANONICAL_PARALLEL,
-    CANONICAL_PERSPECTIVE,
-    IMAGE,
-    NDC,
-    RADIUS,
-    VIEW,
-    WORLD,
-    Morph,
-    morph_of,
-)
 from app.model.parameters import FAR, NEAR
 from app.model.projection import Array, Projection
 from app.picking.sight import Sight
@@ -78,32 +59,32 @@ class StageState(PaneState):
     def __init__(self, canvas: PropGroup, scene: Scene, words: Mapping[str, str]) -> None:
         super().__init__(canvas, scene, words)
         self.own = StageView(canvas, scene.start.camera, scene.cube_side)
-        self.position = float(NDC)
-        self.stop, self.display_from_box = NDC, np.zeros((4, 4))
+        self.position = float(stages.NDC)
+        self.stop, self.display_from_box = stages.NDC, np.zeros((4, 4))
         self.planes = [vtkPlane() for _ in range(6)]
         self.is_gliding = False  # whether `glide` will show and place everything, once a frame
-        self._morph: Morph | None = None
+        self._morph: stages.Morph | None = None
 
     def take(self, projection: Projection, illustration: Illustration | None) -> None:
         self.projection, self.illustration, self._morph = projection, illustration, None
 
     def has_volume(self, position: float) -> bool:
         """Whether there is a volume to show; up to the view it is the frustum, a layer."""
-        hidden = position <= VIEW and "frustum" in self.canvas.hidden
+        hidden = position <= stages.VIEW and "frustum" in self.canvas.hidden
         return not hidden and self.morph.has_volume(position)
 
     @property
     def placed(self) -> tuple[float, object]:
         """The position, and the projection or depth range that the volume depends on there."""
         projection = self.projection
-        return self.position, projection.depth if self.position == NDC else projection
+        return self.position, projection.depth if self.position == stages.NDC else projection
 
     @property
-    def morph(self) -> Morph:
+    def morph(self) -> stages.Morph:
         """Created on demand: most steps at the NDC stop do not need it."""
         if self._morph is None:
             corners, origin = self.scene.reach(self.projection.placement), self.scene.origin
-            self._morph = morph_of(self.projection, origin, corners, self.from_left)
+            self._morph = stages.morph_of(self.projection, origin, corners, self.from_left)
         return self._morph
 
     def in_box(self, points: object) -> Array:
@@ -120,7 +101,7 @@ class StageState(PaneState):
 
     @property
     def marked(self) -> Illustration | None:
-        return self.illustration if self.position == NDC else None
+        return self.illustration if self.position == stages.NDC else None
 
     @property
     def places_labels(self) -> bool:
@@ -134,7 +115,7 @@ class StageState(PaneState):
     @property
     def display_from_object(self) -> Array:
         origin, seen = self.scene.origin, self.seen_projection
-        if self.position == NDC:
+        if self.position == stages.NDC:
             return self.display_from_ndc @ seen.clip_from_local(origin, "object")
         placed = seen.placement.local_from(origin, origin)
         return self.morph.display_from_local(self.position) @ placed
@@ -145,7 +126,7 @@ class StageState(PaneState):
         return np.stack([x, self.size_px[1] - y], axis=-1)
 
     def placing(self) -> Placing:
-        shown = self.morph.display_from_stage(NDC)
+        shown = self.morph.display_from_stage(stages.NDC)
         return Placing(np.diag(shown)[:3], shown[:3, 3], _FARTHEST_MARK)
 
     def copies_from_local(self, times: float) -> Array:
@@ -172,7 +153,7 @@ class StageBox(Layer):
         self._state, self._canvas, self._words = state, state.canvas, state.words
         self._names, self._board = state.names, state.board
         self.placed: tuple[float, object] | None = None
-        self._space = Space()
+        self._space = actors.Space()
         self._at: dict[SceneLabel, Array] = {}
         self._written: set[SceneLabel] = set()  # the labels to show if there is room
         self._add_volume()
@@ -185,25 +166,25 @@ class StageBox(Layer):
         width = style.line_width
         between = [(i + 4, i) for i in NEAR_FACE]
         ends = ENDS[::-1]
-        edges = self._edges = line_actor(CUBE, between, style.frustum, width)
+        edges = self._edges = actors.line_actor(CUBE, between, style.frustum, width)
         self._outlines = {
             name: outline(FACES[name], CUBE, style, dashed=name == FAR.name) for name in ends
         }
         middles = np.array([CUBE[list(FACES[side])].mean(axis=0) for side in (*SIDES, *ends)])
-        self._cross = line_actor(middles, [(3, 1), (0, 2), (4, 5)], style.muted, width / 2.0)
+        self._cross = actors.line_actor(middles, [(3, 1), (0, 2), (4, 5)], style.muted, width / 2.0)
         near_tint, far_tint = style.tints
         faces = [
-            face_actor(CUBE, [FAR_FACE], style.far, far_tint),
-            face_actor(CUBE, [NEAR_FACE], style.near, _PALER * near_tint),
+            actors.face_actor(CUBE, [FAR_FACE], style.far, far_tint),
+            actors.face_actor(CUBE, [NEAR_FACE], style.near, _PALER * near_tint),
         ]
         lines = (edges, *self._outlines.values())
         for actor in (*lines, self._cross, *faces):
             self._space.add(actor)
             self._canvas.add(actor)
         for line in lines:
-            lift_lines(line, 2)
+            actors.lift_lines(line, 2)
         for face in faces:
-            put_behind(face)
+            actors.put_behind(face)
         self._volume = (*lines, *faces)
 
     def _add_axes(self) -> None:
@@ -213,19 +194,21 @@ class StageBox(Layer):
         space in which the camera moves until then.
         """
         style = self._canvas.style
-        self._camera, self._body, self._camera_at = Space(), camera_body(style), NO_POINTS
+        self._camera, self._body, self._camera_at = actors.Space(), camera_body(style), NO_POINTS
         self._camera.add(*self._body)
         self._canvas.add(*self._body, layer="camera")
-        self._arrows: list[tuple[Space, Space, vtkActor, vtkActor]] = []
+        self._arrows: list[tuple[actors.Space, actors.Space, vtkActor, vtkActor]] = []
         cone = vtkConeSource(height=0.14, radius=0.045, resolution=24)
         cone.SetCenter(-0.07, 0.0, 0.0)
         cone.Update()
         for colour in 2 * (style.u, style.v, style.n):
-            shaft = line_actor([(0, 0, 0), (1, 0, 0)], [(0, 1)], colour, 1.5 * style.line_width)
-            head = unlit_actor(PolyMesh.sharing(cone.GetOutput()))
+            shaft = actors.line_actor(
+                [(0, 0, 0), (1, 0, 0)], [(0, 1)], colour, 1.5 * style.line_width
+            )
+            head = actors.unlit_actor(PolyMesh.sharing(cone.GetOutput()))
             head.GetProperty().SetColor(*rgb(colour))
-            lift_lines(shaft, 3)
-            spaces = Space(), Space()
+            actors.lift_lines(shaft, 3)
+            spaces = actors.Space(), actors.Space()
             for space, actor in zip(spaces, (shaft, head), strict=True):
                 space.add(actor)
                 self._canvas.add(actor)
@@ -264,8 +247,8 @@ class StageBox(Layer):
         self.placed = state.placed
         morph, position = state.morph, state.position
         stop, drawn = morph.stop_at(position), state.has_volume(position)
-        box = fitting(morph.display_from_box(position)) if drawn else np.zeros((4, 4))
-        has_depth = stop != IMAGE
+        box = actors.fitting(morph.display_from_box(position)) if drawn else np.zeros((4, 4))
+        has_depth = stop != stages.IMAGE
         state.stop, state.display_from_box = stop, box
         self._space.set(box)
         planes = morph.planes_display(position).tolist()
@@ -274,7 +257,7 @@ class StageBox(Layer):
             plane.SetOrigin(*(-offset * part for part in normal))
         for actor in self._volume:
             actor.SetVisibility(drawn)
-        is_cube = stop in (CANONICAL_PARALLEL, NDC)
+        is_cube = stop in (stages.CANONICAL_PARALLEL, stages.NDC)
         self._cross.SetVisibility(is_cube and "numbers" in self._names)
         for name, label in zip(ENDS, (self.near, self.far), strict=True):
             label.set_visible(drawn and has_depth and name in self._names)
@@ -283,24 +266,24 @@ class StageBox(Layer):
             for number in numbers:
                 is_written = has_depth or name != "z"
                 number.set_visible(
-                    stop >= CANONICAL_PERSPECTIVE and is_written and "numbers" in self._names
+                    stop >= stages.CANONICAL_PERSPECTIVE and is_written and "numbers" in self._names
                 )
         if drawn:
             self._place_words(morph, stop)
         labels = self.near, self.far, *self._letters, *itertools.chain(*self._numbers.values())
         self._written = {label for label in labels if label.is_visible and label.text}
 
-    def _place_axes(self, morph: Morph, position: float, stop: int) -> None:
+    def _place_axes(self, morph: stages.Morph, position: float, stop: int) -> None:
         """Put axes and letters where the nearest stop has them."""
         self._camera_at = NO_POINTS
-        if stop == NDC:  # along the edges at a corner of near, z the way it grows
+        if stop == stages.NDC:  # along the edges at a corner of near, z the way it grows
             starts, ends = np.moveaxis(self._state.in_box(_AT_CORNER), 1, 0)
             tips = starts + _SHORT * (ends - starts)
             z_near, z_far = self._limits(morph)
             if z_near > z_far:
                 tips[2] = 2.0 * starts[2] - tips[2]
             inner = starts
-        elif stop == IMAGE:  # along the picture's, y down
+        elif stop == stages.IMAGE:  # along the picture's, y down
             start, corner = self._state.in_box([(-1, 1, 1), (1, -1, 1)])
             axes = np.diag([1.0, -1.0, 1.0])
             inner = start + np.abs(corner - start)[:, None] * axes
@@ -308,63 +291,63 @@ class StageBox(Layer):
         else:
             start, *canonical = CANONICAL_AXES
             tips = np.array(canonical)
-            if stop <= VIEW:
+            if stop <= stages.VIEW:
                 start, axes = morph.axes_at(position)
                 away = math.hypot(*start)
-                if away > RADIUS:  # far from the scene: at the border toward it
-                    start *= RADIUS / away
+                if away > stages.RADIUS:  # far from the scene: at the border toward it
+                    start *= stages.RADIUS / away
                 tips = start + AXES_LENGTH * axes
                 self._camera.set(_placed(start, BODY * axes.T))
                 if morph.projection.has_camera:
                     self._camera_at = start + BODY * BODY_BOX @ axes
             starts = inner = np.tile(start, (3, 1))
         self._canvas.set_visible(len(self._camera_at) > 0, *self._body)
-        moves = position < VIEW and (morph.projection.has_camera or position == WORLD)
+        moves = position < stages.VIEW and (morph.projection.has_camera or position == stages.WORLD)
         origin = np.tile(morph.origin_at(position) if moves else np.zeros(3), (3, 1))
         starts, inner = np.concatenate([starts, origin]), np.concatenate([inner, origin])
         tips = np.concatenate([tips, origin + AXES_LENGTH * np.eye(3)])
         self.axes = np.stack([starts, inner, tips], axis=1)
-        letters = "uvnxyz" if stop <= VIEW else "xyzxyz"
+        letters = "uvnxyz" if stop <= stages.VIEW else "xyzxyz"
         for i, (shaft_space, head_space, *arrow) in enumerate(self._arrows):
             along = tips[i] - starts[i]
             length = math.hypot(*along)
             turn = _turn_to(along / max(length, 1e-9))
-            head_space.set(_placed(tips[i], turn if stop > VIEW else _SMALL_HEAD * turn))
+            head_space.set(_placed(tips[i], turn if stop > stages.VIEW else _SMALL_HEAD * turn))
             turn[:, 0] *= length
             shaft_space.set(_placed(starts[i], turn))
             letter = self._letters[i]
             self._at[letter] = tips[i]
             word = self._words[letters[i]]
-            is_cameras = stop <= VIEW and i < 3
+            is_cameras = stop <= stages.VIEW and i < 3
             letter.set_text(vector(word) if is_cameras else word)
             # A single x, y or z may be a length in another pane.
-            wanted = letters[i] if is_cameras else "xy" if stop == IMAGE else "xyz"
+            wanted = letters[i] if is_cameras else "xy" if stop == stages.IMAGE else "xyz"
             is_named = all(name in self._names for name in wanted)
             is_named |= _NAMES[2 + i] in self._names.pointed
-            is_shown = is_named and (stop != IMAGE or i < 2) and (i < 3 or moves)
+            is_shown = is_named and (stop != stages.IMAGE or i < 2) and (i < 3 or moves)
             letter.set_visible(is_shown)
             for actor in arrow:
                 actor.SetVisibility(is_shown)
             if not is_shown:
                 self.axes[i] = np.nan
 
-    def _limits(self, morph: Morph) -> tuple[float, float]:
+    def _limits(self, morph: stages.Morph) -> tuple[float, float]:
         """The cube's z at near and at far in the lecture's signs: 002 has 1 at near."""
         near, far = morph.projection.depth_range
         is_turned = self._words.get("{near_in_cube}") == "1" and near == -far
         return (far, near) if is_turned else (near, far)
 
-    def _place_words(self, morph: Morph, stop: int) -> None:
+    def _place_words(self, morph: stages.Morph, stop: int) -> None:
         """Put near, far and the ends of the axes at the corners of the view volume."""
         box, lens, words = self._state.display_from_box, morph.projection.lens, self._words
-        limit = RADIUS if stop <= VIEW else 2.0
+        limit = stages.RADIUS if stop <= stages.VIEW else 2.0
         near, far = (_edge(box, -1.0, 1.0, limit, z) for z in (1.0, 0.0))
         is_pyramid = lens.central
         self._at |= {self.near: near, self.far: far}
         near_text, far_text = (words[end] for end in ENDS)
         x, y, z = ("−1", "1"), ("−1", "1"), ("0", "−1")
         end = 1.0
-        if stop == CANONICAL_PERSPECTIVE and is_pyramid:
+        if stop == stages.CANONICAL_PERSPECTIVE and is_pyramid:
             # The sides are 1 where z is -1: at far, and at near if far is infinite.
             infinite = lens.far == math.inf
             end = 1.0 if infinite else 0.0
@@ -372,16 +355,16 @@ class StageBox(Layer):
             at = -1.0 if infinite else -lens.near / lens.far
             near_text = f"{near_text} {figure(at, digits_apart(at, -1.0, least=3))}"
             self._numbers["z"][0].set_visible(False)  # on the plate of near, which is small here
-        elif stop == NDC:
+        elif stop == stages.NDC:
             z_near, z_far = map(_signed, self._limits(morph))
             near_text, far_text = f"{near_text} {z_near}", f"{far_text} {z_far}"
             z = ("", "")  # they stand beside near and far
-        elif stop == IMAGE:
+        elif stop == stages.IMAGE:
             width, height = morph.projection.image_size
             x, y = ("0", str(width)), (str(height), "0")
         self.near.set_text(near_text)
         self.far.set_text(far_text)
-        if stop <= VIEW:
+        if stop <= stages.VIEW:
             return
         for name, texts, corners in (
             ("x", x, ((-1.0, -1.0, end), (1.0, -1.0, end))),
@@ -426,7 +409,7 @@ class StageBox(Layer):
                 board.want_beside(self._keys[number], spots[number], NUMBER, way)
 
     def ink(self, ground: Ground) -> None:
-        edges = [pair for line in CUBE_EDGES for pair in itertools.pairwise(line)]
+        edges = [pair for line in actors.CUBE_EDGES for pair in itertools.pairwise(line)]
         ground.ink_lines(self._state.volume_seen()[edges])
         axes = self._state.spots(self.axes[:, ::2].reshape(-1, 3))
         ground.ink_arrows(axes.reshape(-1, 2, 2))
@@ -456,7 +439,7 @@ def volume_ends(box: Array, ends: Iterable[str]) -> Array:
     """Where the corners of near and far are shown, or their edges leave the framed ball, (n, 3)."""
     depths = [float(end == NEAR.name) for end in ends]
     corners = itertools.product(depths, (-1.0, 1.0), (-1.0, 1.0))
-    return np.array([_edge(box, x, y, RADIUS, z) for z, x, y in corners])
+    return np.array([_edge(box, x, y, stages.RADIUS, z) for z, x, y in corners])
 
 
 def _edge(box: Array, across: float, up: float, limit: float, z: float) -> Array:

@@ -4,8 +4,6 @@ Products of tables of formulas are tables of formulas, each reduced to one quoti
 in textbooks. Two formulas are equal in value if and only if their difference is 0 here.
 """
 
-from __future__ import annotations
-
 import math
 from collections import Counter
 from collections.abc import Mapping, Sequence
@@ -35,10 +33,10 @@ class Ratio:
         """Whether it is not identically 0."""
         return bool(self.above)
 
-    def __neg__(self) -> Ratio:
+    def __neg__(self) -> "Ratio":
         return Ratio(_scaled(self.above, Fraction(-1)), self.below)
 
-    def __add__(self, other: Ratio) -> Ratio:
+    def __add__(self, other: "Ratio") -> "Ratio":
         if not (self and other):
             return self or other
         mine, its = Counter(dict(self.below)), Counter(dict(other.below))
@@ -49,17 +47,17 @@ class Ratio:
                 total[monomial] = total.get(monomial, Fraction(0)) + coefficient
         return _reduced(_polynomial(total), common)
 
-    def __sub__(self, other: Ratio) -> Ratio:
+    def __sub__(self, other: "Ratio") -> "Ratio":
         return self + -other
 
-    def __mul__(self, other: Ratio) -> Ratio:
+    def __mul__(self, other: "Ratio") -> "Ratio":
         for one, another in ((self, other), (other, self)):
             if one.above == _ONE and not one.below:
                 return another
         below = Counter(dict(self.below)) + Counter(dict(other.below))
         return _reduced(_times(self.above, other.above), below)
 
-    def __truediv__(self, other: Ratio) -> Ratio:
+    def __truediv__(self, other: "Ratio") -> "Ratio":
         coefficient, letters, rest = _parts(other.above)
         factors = Counter({_single_letter(name): power for name, power in letters})
         if rest != _ONE:
@@ -67,7 +65,7 @@ class Ratio:
         upside_down = _scaled(_expanded(Counter(dict(other.below))), 1 / coefficient)
         return self * _reduced(upside_down, factors)
 
-    def __pow__(self, exponent: int) -> Ratio:
+    def __pow__(self, exponent: int) -> "Ratio":
         power = number(1)
         for _ in range(abs(exponent)):
             power = power * self if exponent > 0 else power / self

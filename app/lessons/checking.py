@@ -31,6 +31,7 @@ _AS_TYPED = (  # what a lesson shows as it is typed
                                       r"|<(?:https?:|mailto:)[^<>\n]*>|<(?:img|a)\s[^<>\n]*>")),
     (REFUSALS["no-html"], re.compile(r"</?[a-zA-Z][\w-]*(?:\s[^<>\n]*)?/?>|<!--")),
     (REFUSALS["not-filled"], re.compile(r"\{[=~][^{}\n]+\}")),
+    (REFUSALS["idea-as-typed"], re.compile(r"\{[a-zA-Z][\w-]*\}")),
 )  # fmt: skip
 
 

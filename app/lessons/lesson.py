@@ -5,8 +5,6 @@ limited, and a refusal names the line and what was expected there. `app.lessons.
 blocks.
 """
 
-from __future__ import annotations
-
 import difflib
 import os
 import re
@@ -268,7 +266,7 @@ def _claim(names: dict[str, int], name: str, line: int) -> None:
     names[name] = line
 
 
-def _groups(lines: Sequence[str], first: int) -> list[tuple[list[Token], int]]:
+def _groups(lines: Sequence[str], first: int) -> "list[tuple[list[Token], int]]":
     """Split the file at its ``---`` lines; return the tokens and the last line of each step."""
     body = "\n".join(lines[first:])
     groups: list[tuple[list[Token], int]] = []
@@ -293,7 +291,7 @@ def ends(text: str) -> list[int]:
     return [end for group, end in _groups(lines, first) if group]
 
 
-def _line(token: Token, first: int) -> int:
+def _line(token: "Token", first: int) -> int:
     assert token.map is not None
     return token.map[0] + first + 1
 
@@ -330,7 +328,7 @@ def _read_whole(kind: type[Block], body: Body) -> tuple[Block | None, list[Refus
 
 class _StepReader:
     def __init__(
-        self, lines: Sequence[str], first: int, tokens: Sequence[Token], complain: AddFault
+        self, lines: Sequence[str], first: int, tokens: "Sequence[Token]", complain: AddFault
     ) -> None:
         self._lines, self._first, self._tokens = lines, first, tokens
         self._add_fault = complain
@@ -372,7 +370,7 @@ class _StepReader:
             raise refused(line, REFUSALS["lesson-bad-name"], value=name)
         return name, title, line
 
-    def _take(self, token: Token) -> None:
+    def _take(self, token: "Token") -> None:
         """Add a token to the text, or read it as a block."""
         kind, _, given = token.info.strip().partition(" ")
         line = _line(token, self._first)
@@ -399,7 +397,7 @@ class _StepReader:
         for fault in faults:
             self._add_fault(fault)
 
-    def _opened(self, token: Token, kind: str, given: str, line: int) -> tuple[type[Block], Body]:
+    def _opened(self, token: "Token", kind: str, given: str, line: int) -> tuple[type[Block], Body]:
         """Return the kind of a block and its unread lines."""
         if kind not in KINDS:
             near = difflib.get_close_matches(kind, KINDS, n=1, cutoff=0.0)[0]
@@ -417,7 +415,7 @@ class _StepReader:
             self._blocks.append(TextBlock(line=self._first + begin + 1, text=text))
             self._words = []
 
-    def _check_fence(self, token: Token, line: int, kind: str) -> None:
+    def _check_fence(self, token: "Token", line: int, kind: str) -> None:
         assert token.map is not None
         for number, text in self._body(token):  # its end is missing, or it is itself an end
             begun = _BLOCK.match(text)
@@ -430,7 +428,7 @@ class _StepReader:
         if not closed:
             raise refused(line, REFUSALS["lesson-unclosed"] if kind else REFUSALS["code-unclosed"])
 
-    def _body(self, token: Token) -> Lines:
+    def _body(self, token: "Token") -> Lines:
         assert token.map is not None
         begin = self._first + token.map[0] + 1
         end = self._first + token.map[1] - 1

@@ -9,7 +9,6 @@
 The card beside the pictures and the talk's band show what a player holds.
 """
 
-import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple
@@ -21,7 +20,7 @@ from app.lessons.blocks.task import DONE
 from app.lessons.course import Course, ShownStep, scene_of
 from app.lessons.lesson import Lesson, Step
 from app.lessons.practice import Sheet, verdict_on
-from app.lessons.record import RIGHT, SHOWN, WRONG, Attempt, spaced
+from app.lessons.record import RIGHT, SHOWN, WRONG, Attempt, now_s, spaced
 from app.lessons.strokes import answer_picture
 from app.lessons.writing import changes
 from app.model.projection import Camera
@@ -213,7 +212,7 @@ class PlayedBlock:
         idea = "" if word in (RIGHT, WRONG, SHOWN) else word
         exercise = f"{self._at.step.name}/{self.block.name}"
         attempt = Attempt(
-            int(time.time()), self._at.course.name, exercise, self.seed, typed,
+            now_s(), self._at.course.name, exercise, self.seed, typed,
             WRONG if idea else word, idea, self.hints_read, self.is_test,
         )  # fmt: skip
         self._player.log(attempt)

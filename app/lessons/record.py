@@ -14,6 +14,7 @@ import contextlib
 import json
 import os
 import stat
+import time
 import unicodedata
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
@@ -58,6 +59,11 @@ class Attempt(NamedTuple):
     def key(self) -> tuple[str, str]:
         """Return the question's lesson and ``step/block``."""
         return self.lesson, self.exercise
+
+
+def now_s() -> int:
+    """Return the seconds since 1970; for a clock that is far off the nearest time of an attempt."""
+    return max(0, min(int(time.time()), LATEST))
 
 
 def attempt_from(tree: object) -> Attempt:
@@ -123,8 +129,8 @@ class Record:
     def add(self, attempt: Attempt) -> None:
         """Add a line; a `Refusal` if it cannot be written."""
         tree = {name: value for name, value in attempt._asdict().items() if value not in ("", 0)}
-        tree |= {"seed": attempt.seed, "typed": attempt.typed[:LONGEST_TYPED]}
-        tree |= {"is_test": attempt.is_test}
+        tree |= {"when": attempt.when, "seed": attempt.seed, "is_test": attempt.is_test}
+        tree["typed"] = attempt.typed[:LONGEST_TYPED]
         # Begins with a line break, because a killed program may have left half a line.
         line = f"\n{json.dumps(tree, ensure_ascii=False)}".encode("utf-8", "replace")
         with blamed_on(self._path, REFUSALS["unwritable"]):

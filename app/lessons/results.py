@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 from app.document.codec import Path as AnyPath
 from app.document.files import blamed_on, content_of
+from app.lessons import record
 from app.lessons.blocks.block import Variant
 from app.lessons.course import Course
 from app.lessons.practice import ExerciseMark, course_named, hints_of, verdict_on
@@ -96,9 +97,9 @@ def read(path: AnyPath) -> StudentResults:
         return StudentResults(student, digests, corrected(map(attempt_from, answers), hints_of))
 
 
-def of_test(marks: Iterable[ExerciseMark], now: int) -> list[Attempt]:
+def of_test(marks: Iterable[ExerciseMark]) -> list[Attempt]:
     """Return the answers of a test, the missing ones too."""
-    attempts = []
+    attempts, now = [], record.now_s()
     for mark in marks:
         verdict = RIGHT if mark.word == RIGHT else WRONG
         idea = "" if mark.word in (RIGHT, WRONG) else mark.word

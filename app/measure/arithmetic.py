@@ -232,7 +232,7 @@ def measure(
     """Measure trade 1 with the scene's vertices (n, 3); `origin` as for `summed`."""
     world = looked_at(projection, points_world)
     if not len(world):
-        return without_numbers("arithmetic", "ns", "px", MEASURE["no-points"])
+        return without_numbers("arithmetic", "px", MEASURE["no-points"])
     judged, where = sample(world)
     reference = truth(projection, judged)
     predicted = predict(projection, world, origin) or {}

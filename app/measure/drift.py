@@ -48,7 +48,7 @@ def measure(
     """Measure the drift of the scene's vertices (n, 3)."""
     points = looked_at(projection, points_world)
     if not len(points):
-        return without_numbers("drift", "ns", "px", MEASURE["no-points"])
+        return without_numbers("drift", "px", MEASURE["no-points"])
     choices, runs = [], {}
     for numbers in ("float16", "float32", "float64"):
         for way, said in _WAYS.items():

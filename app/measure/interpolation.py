@@ -161,9 +161,7 @@ def measure(
     """Measure trade 2 on an edge of the scene's bounding box, whose corners are (8, 3)."""
     edge = steepest_edge(projection, corners_world)
     if edge is None:
-        return without_numbers(
-            "interpolation", "ns", "texels", MEASURE["nothing"], "perspective-correct"
-        )
+        return without_numbers("interpolation", "texels", MEASURE["nothing"], "perspective-correct")
     s = aligned(max(2, math.ceil(SAMPLES_A_PIXEL * edge.length_px)))
     s[:] = np.linspace(0.0, 1.0, len(s))
     right = truth(edge, s)

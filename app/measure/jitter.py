@@ -27,7 +27,7 @@ def measure(
     """Measure the jumps of the scene's vertices (n, 3)."""
     points = looked_at(projection, points_world)
     if not len(points):
-        return without_numbers("jitter", "ns", "px", MEASURE["no-points"])
+        return without_numbers("jitter", "px", MEASURE["no-points"])
     choices = []
     for way, (name, size) in _WAYS.items():
         wrong, bounds = jump_errors(paths_of(projection, sample(points)[0], way, _DISTANCE))

@@ -173,11 +173,9 @@ class Trade:
         return [c for c in others if c.cost is not None and ends[0] <= c.cost <= ends[1]]
 
 
-def without_numbers(
-    name: str, cost_unit: str, error_unit: str, why: str, choice: str = ""
-) -> Trade:
-    """Return a trade of which nothing can be measured, with the reason."""
-    return Trade(name, cost_unit, error_unit, (ChartPoint(choice, None, None, None, note=why),), 0)
+def without_numbers(name: str, error_unit: str, why: str, choice: str = "") -> Trade:
+    """Return a trade of time of which nothing can be measured, with the reason."""
+    return Trade(name, "ns", error_unit, (ChartPoint(choice, None, None, None, note=why),), 0)
 
 
 @dataclass(frozen=True)
@@ -228,15 +226,12 @@ class Sweep:
 
 @dataclass(frozen=True)
 class Measurements:
-    """All measurements of one run.
-
-    - `document`: the scene and the projection, as in their document.
-    """
+    """All measurements of one run."""
 
     date: str  # ISO 8601 with a time zone
     machine: Mapping[str, str] = field(hash=False)
     versions: Mapping[str, str] = field(hash=False)
-    document: Mapping[str, Any] = field(hash=False)
+    document: Mapping[str, Any] = field(hash=False)  # scene and projection, as in their document
     trades: tuple[Trade, ...] = ()
     sweeps: tuple[Sweep, ...] = ()
     complete: bool = True  # false if the run was cancelled

@@ -61,7 +61,7 @@ def measure(
     pixels = float32_pixels(trace.image, trace.depth)
     pixels = pixels[(pixels[:, 2] > 0.0) & (pixels[:, 2] < 1.0)]
     if not len(pixels):
-        return without_numbers("unprojection", "ns", "of the distance", MEASURE["no-points"])
+        return without_numbers("unprojection", "of the distance", MEASURE["no-points"])
     away = np.linalg.norm(projection.world_from_image(pixels) - projection.camera.eye, axis=1)
     distances = {"error": AWAY, **NEARER}
     origins = {name: origin_away(projection, each) for name, each in distances.items()}

@@ -61,7 +61,7 @@ def measure(projection: Projection, seconds: float = 10.0, watch: Watch = unwatc
     try:
         DepthBuffer("float32", "logarithmic", lens)
     except Refusal as error:
-        return without_numbers("vertex-depth", "ns", "w", str(error), names[0])
+        return without_numbers("vertex-depth", "w", str(error), names[0])
     near, far = lens.near, lens.far
     s = aligned(SAMPLES_A_PIXEL * projection.image_size[1])
     s[:] = np.linspace(0.0, 1.0, len(s))

@@ -5,8 +5,6 @@ x right, y down, z forward to pixels that are counted from the centre of the fir
 `Intrinsics` describes.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -172,7 +170,7 @@ class Camera:
         return math.dist(self.eye, self.target)
 
     @classmethod
-    def from_orbit(cls, target: Vector, orbit: Orbit) -> Camera:
+    def from_orbit(cls, target: Vector, orbit: Orbit) -> "Camera":
         """Place the camera on an orbit about a target.
 
         Raises a `Refusal` for ``distance <= 0``, an elevation outside -90..90, numbers that are not

@@ -11,8 +11,6 @@ the world and its origin (lecture 003).
 - Two chains do the same if their `exact` products are equal, whatever their tiles.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
@@ -25,19 +23,9 @@ import numpy as np
 from app.arithmetic import double_double as dd
 from app.arithmetic.double_double import DoubleDouble
 from app.arithmetic.rationals import Rationals, diagonal, dot, eliminate, nearest, product
+from app.model import limits
 from app.model.formula import Letter
-from app.model.limits import (
-    LARGEST,
-    Array,
-    Row,
-    Vector,
-    check_name,
-    finite,
-    finite_vector,
-    keep_checked,
-    read_only,
-    within,
-)
+from app.model.limits import Array, Row, Vector
 from app.model.numerals import numbers as numbers_in
 from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal, format_value
 from app.model.refusal import nearest as nearest_word
@@ -56,7 +44,7 @@ FLATTENED = QT_TRANSLATE_NOOP(
 
 MOST_TILES = 8
 LARGEST_SCALE = 1e30  # largest scale: its product with a coordinate up to `LARGEST` is finite
-_LIMITS = (LARGEST_SCALE, LARGEST_SCALE, LARGEST_SCALE, LARGEST_SCALE * LARGEST)
+_LIMITS = (LARGEST_SCALE, LARGEST_SCALE, LARGEST_SCALE, LARGEST_SCALE * limits.LARGEST)
 _SLACK = 1.0001  # a product of rotations may be larger than 1 by their last bit
 _ROUNDINGS = 6.0  # most roundings in the double-double sum of a coordinate
 _STEEP = 1e-12  # a view direction is vertical, and a camera level, to so much
@@ -71,11 +59,11 @@ class WorldPoints(NamedTuple):
     lost: Array  # bound on the error of their sum, added over the three coordinates, (n,)
 
     @classmethod
-    def at(cls, world: Array) -> WorldPoints:
+    def at(cls, world: Array) -> "WorldPoints":
         """Points given in world coordinates, (n, 3)."""
         return cls(world, None, np.zeros(len(world)))
 
-    def part(self, which: slice) -> WorldPoints:
+    def part(self, which: slice) -> "WorldPoints":
         rest = None if self.rest is None else self.rest[which]
         return WorldPoints(self.world[which], rest, self.lost[which])
 
@@ -179,8 +167,8 @@ class Tile:
         field, numbers = kind.field, tuple(self.numbers)
         if len(numbers) != len(kind.neutral):
             raise Refusal(field, numbers, REFUSALS["so-many"], len(kind.neutral), self.kind)
-        numbers = tuple(finite(field, part) + 0.0 for part in numbers)
-        keep_checked(self, numbers=numbers)
+        numbers = tuple(limits.finite(field, part) + 0.0 for part in numbers)
+        limits.keep_checked(self, numbers=numbers)
         if field == "matrix":
             if numbers[12:] != (0.0, 0.0, 0.0, 1.0):
                 raise Refusal(field, numbers[12:], REFUSALS["has-w"])
@@ -192,10 +180,10 @@ class Tile:
         if field in ("scale", "shear", "matrix"):
             for place, part in enumerate(numbers):
                 if field != "matrix" or place % 4 < 3:
-                    within(field, part, -LARGEST_SCALE, LARGEST_SCALE)
+                    limits.within(field, part, -LARGEST_SCALE, LARGEST_SCALE)
 
     @classmethod
-    def read(cls, text: str) -> Tile:
+    def read(cls, text: str) -> "Tile":
         """Read a tile as `text` writes it, or raise a `Refusal`."""
         words = text.replace("°", " ").split()
         is_off = words[:1] == ["off"]
@@ -222,7 +210,7 @@ class Tile:
             parts = parts[size:]
         return " ".join(words)
 
-    def partly(self, part: float) -> Tile:
+    def partly(self, part: float) -> "Tile":
         """A part of the move: of an angle, a way, a factor. A mirror flattens half-way."""
         if self.kind.startswith("mirror"):
             return Tile("scale", tuple(1.0 - 2.0 * part * (x == self.kind[-1]) for x in "xyz"))
@@ -234,7 +222,7 @@ class Tile:
         except Refusal:  # a typed matrix that is singular on the way
             return self
 
-    def towards(self, numbers: Sequence[float], part: float) -> Tile:
+    def towards(self, numbers: Sequence[float], part: float) -> "Tile":
         """The tile with its numbers on the way to others."""
         mixed = ((1.0 - part) * a + part * b for a, b in zip(self.numbers, numbers, strict=True))
         return replace(self, numbers=tuple(mixed))
@@ -285,7 +273,7 @@ class Chain:
         if len(tiles) > MOST_TILES:
             most, ninth = REFUSALS["chain-too-many"], tiles[MOST_TILES].text
             raise Refusal("chain", ninth, most, MOST_TILES, len(tiles))
-        keep_checked(self, tiles=tiles)
+        limits.keep_checked(self, tiles=tiles)
         if len(self.on) > 1:
             for row in self.exact[:3]:
                 for part, limit in zip(row, _LIMITS, strict=True):
@@ -293,7 +281,7 @@ class Chain:
                         raise Refusal("chain", self.text, REFUSALS["chain-too-large"], limit)
 
     @classmethod
-    def read(cls, text: str) -> Chain:
+    def read(cls, text: str) -> "Chain":
         """Read a chain as `text` writes it, tiles between semicolons, or raise a `Refusal`."""
         return cls(tuple(map(Tile.read, text.split(";"))) if text.strip() else ())
 
@@ -319,7 +307,7 @@ class Chain:
         names = iter(kind.field for kind in lettered_kinds(self.kinds))
         return tuple("" if tile.is_off else next(names) for tile in self.tiles)
 
-    def after(self, moves: float, *, from_left: bool = False) -> Chain:
+    def after(self, moves: float, *, from_left: bool = False) -> "Chain":
         """The chain after so many moves of the tiles that are on, the last one in part.
 
         They are read from the right, in the world's axes; or done from the left, in the axes that
@@ -336,15 +324,15 @@ class Chain:
         places = (i for i, each in enumerate(self.tiles) if each.kind in kinds and not each.is_off)
         return next(places, None)
 
-    def with_tile(self, place: int, *tiles: Tile, over: int = 0) -> Chain:
+    def with_tile(self, place: int, *tiles: Tile, over: int = 0) -> "Chain":
         """The chain with tiles put in at a place, perhaps over some that stood there."""
         return Chain((*self.tiles[:place], *tiles, *self.tiles[place + over :]))
 
-    def moved(self, place: int, to: int) -> Chain:
+    def moved(self, place: int, to: int) -> "Chain":
         return self.with_tile(place, over=1).with_tile(to, self.tiles[place])
 
     @property
-    def five(self) -> FiveTiles | None:
+    def five(self) -> "FiveTiles | None":
         """The chain as five tiles, if it has these or none."""
         if not self.tiles:
             return FiveTiles()
@@ -357,7 +345,7 @@ class Chain:
                 return FiveTiles(move, turn, size, order)
         return None
 
-    def towards(self, other: Chain, part: float) -> Chain:
+    def towards(self, other: "Chain", part: float) -> "Chain":
         """A chain between two; the other one, if their tiles are of different kinds."""
         mine, theirs = self.tiles or other._neutral, other.tiles or self._neutral
         if [tile.kind for tile in mine] != [tile.kind for tile in theirs]:
@@ -493,7 +481,7 @@ class Chain:
             local[row, 3] = float(part - Fraction(away))
         if origin == target:
             kept[origin, target] = local
-        return read_only(local)
+        return limits.read_only(local)
 
     @cached_property
     def _kept(self) -> dict[tuple[Any, ...], Any]:
@@ -551,8 +539,8 @@ class FiveTiles:
 
     def __post_init__(self) -> None:
         for field in ("translate", "rotate_deg", "scale"):
-            keep_checked(self, **{field: finite_vector(field, getattr(self, field))})
-        check_name("order", self.order, ORDERS)
+            limits.keep_checked(self, **{field: limits.finite_vector(field, getattr(self, field))})
+        limits.check_name("order", self.order, ORDERS)
         _ = self.chain  # which checks the sizes of the numbers
 
     @property

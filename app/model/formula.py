@@ -15,8 +15,6 @@ symbols of a lecture. Python never evaluates the text, and its size is bounded: 
 `DEEPEST`, `LARGEST_DEGREE`.
 """
 
-from __future__ import annotations
-
 import operator
 import re
 from abc import abstractmethod
@@ -69,11 +67,11 @@ class Formula:
         return _SOURCE.write(self)
 
     @property
-    def parts(self) -> tuple[Formula, ...]:
+    def parts(self) -> "tuple[Formula, ...]":
         """The direct parts of the formula."""
         return ()
 
-    def __iter__(self) -> Iterator[Formula]:
+    def __iter__(self) -> "Iterator[Formula]":
         """Iterate over the formula and all its parts, from the outside in."""
         yield self
         for part in self.parts:
@@ -96,12 +94,12 @@ class Formula:
     def evaluate(self) -> Evaluator:
         """Return `value` as a function that walks the tree only once."""
 
-    def where(self, terms: Mapping[str, Formula]) -> Formula:
+    def where(self, terms: "Mapping[str, Formula]") -> "Formula":
         """Replace letters or terms, given by their text, with other formulas."""
         term = terms.get(self.text)
         return self.with_parts(part.where(terms) for part in self.parts) if term is None else term
 
-    def with_parts(self, parts: Iterable[Formula]) -> Formula:
+    def with_parts(self, parts: "Iterable[Formula]") -> "Formula":
         return type(self)(*parts) if self.parts else self
 
 

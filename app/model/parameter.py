@@ -213,9 +213,11 @@ def sections_of(text: str) -> dict[str, ContentSection]:
 
 
 def section_of(name: str, sections: Mapping[str, ContentSection]) -> tuple[str, ContentSection]:
-    """Return the heading of a thing, and what stands below it."""
+    """Return the heading of a thing, and what stands below it; a `KeyError` if it has none."""
     ending = f" {{#{name}}}"
-    heading = next(each for each in sections if each.endswith(ending))
+    heading = next((each for each in sections if each.endswith(ending)), None)
+    if heading is None:
+        raise KeyError(f"The page of {next(iter(sections), 'texts')} has no heading with{ending}.")
     return heading.removesuffix(ending), sections[heading]
 
 

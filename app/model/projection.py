@@ -26,8 +26,6 @@ perspective matrix is equation (13) of lecture 000, the oblique one P_ort H of l
 canonical volumes and the matrices M_pp and M_z between them those of lecture 001.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from functools import lru_cache, reduce
 from typing import Any, TypeAlias
@@ -157,7 +155,7 @@ class Projection(Pipeline):
 
     # -- the same picture with another lens
 
-    def with_depth(self, depth: DepthRange) -> Projection:
+    def with_depth(self, depth: DepthRange) -> "Projection":
         """Return the same view volume and picture in another depth range."""
         if depth == self.depth:
             return self
@@ -165,7 +163,7 @@ class Projection(Pipeline):
         lens = self.lens.in_depth_range(self.depth_range, changed.depth_range)
         return changed if lens is self.lens else replace(changed, lens=lens)
 
-    def with_lens(self, kind: str) -> Projection:
+    def with_lens(self, kind: str) -> "Projection":
         """Change the kind of lens to one of `kinds`, changing the picture as little as possible.
 
         Near, far and `keep` stay if the new lens can have them. Between perspective lenses the
@@ -184,11 +182,11 @@ class Projection(Pipeline):
         seen = Seen(self.lens, self.window, self.camera.distance)
         return replace(self, lens=LENSES[kind].showing(seen))
 
-    def with_eye(self) -> Projection:
+    def with_eye(self) -> "Projection":
         """Return the same camera with a lens whose projectors meet in the eye: its own, if so."""
         return self if self.lens.central else self.with_lens("perspective")
 
-    def between(self, near: float, far: float) -> Projection:
+    def between(self, near: float, far: float) -> "Projection":
         """Return the same view volume and picture between other near and far planes.
 
         Raises a `Refusal` for planes that the lens cannot have, and for a typed matrix.
@@ -214,13 +212,13 @@ class Projection(Pipeline):
                 view_from_clip[row, 3] = (low + high) / 2.0 + cot * (far - self.lens.near)
         return clip_from_view, view_from_clip
 
-    def with_fov_x(self, fov_x_deg: float) -> Projection:
+    def with_fov_x(self, fov_x_deg: float) -> "Projection":
         """Return the same camera with a symmetric lens of this horizontal field of view."""
         fov_x_deg = between("fov_x_deg", fov_x_deg, 0, 180)
         fov_y_deg = fov_x_from_fov_y(fov_x_deg, 1.0 / self.aspect)
         return replace(self, lens=self.lens.replaced(fov_y_deg=fov_y_deg))
 
-    def with_angles(self, alpha_deg: float, beta_deg: float) -> Projection:
+    def with_angles(self, alpha_deg: float, beta_deg: float) -> "Projection":
         """Change the angles of an oblique lens, and keep the target's place in the picture."""
         lens: Any = self.lens
         leaning = replace(lens, alpha_deg=alpha_deg, beta_deg=beta_deg)
@@ -232,7 +230,7 @@ class Projection(Pipeline):
         )  # fmt: skip
         return replace(self, lens=lens)
 
-    def with_intrinsics(self, intrinsics: ArrayLike) -> Projection:
+    def with_intrinsics(self, intrinsics: ArrayLike) -> "Projection":
         """Return the same camera with the lens of a calibrated camera, in pixels of this image.
 
         `intrinsics` are fx, fy, cx, cy as OpenCV counts them, from the centre of the first pixel,

@@ -13,8 +13,6 @@ rounded numbers. Every point has its own bound, in the time of projecting it onc
 bound is some ten times the largest error found, and infinite where a rounding can bring w to 0.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -440,20 +438,20 @@ class _Bounded:
     value: DoubleDouble
     error: Array
 
-    def _made(self, value: DoubleDouble, error: Array) -> _Bounded:
+    def _made(self, value: DoubleDouble, error: Array) -> "_Bounded":
         return _Bounded(value, error + dd.RELATIVE_ERROR * np.abs(value.hi))
 
-    def __neg__(self) -> _Bounded:
+    def __neg__(self) -> "_Bounded":
         return _Bounded(DoubleDouble(-self.value.hi, -self.value.lo), self.error)
 
-    def __add__(self, other: Any) -> _Bounded:
+    def __add__(self, other: Any) -> "_Bounded":
         other = _bounded(other)
         return self._made(dd.add(self.value, other.value), self.error + other.error)
 
-    def __sub__(self, other: Any) -> _Bounded:
+    def __sub__(self, other: Any) -> "_Bounded":
         return self + -_bounded(other)
 
-    def __mul__(self, other: Any) -> _Bounded:
+    def __mul__(self, other: Any) -> "_Bounded":
         other = _bounded(other)
         mine, its = np.abs(self.value.hi) + self.error, np.abs(other.value.hi)
         return self._made(
@@ -463,7 +461,7 @@ class _Bounded:
             + dd.UNDERFLOW * (mine * (its + other.error) != 0.0),
         )
 
-    def __truediv__(self, other: Any) -> _Bounded:
+    def __truediv__(self, other: Any) -> "_Bounded":
         other = _bounded(other)
         quotient = dd.divide(self.value, other.value)
         least = np.abs(other.value.hi) - other.error

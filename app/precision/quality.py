@@ -5,8 +5,6 @@ rest, all triangles, and the depth buffer of the graphics card. A choice, usuall
 of `app.measure`, is part of the document: it can be undone and saved.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass, fields
 

@@ -6,8 +6,6 @@ into boxes, and every box keeps one (Lindstrom, *Out-of-Core Simplification of L
 Models*, 2000): this is coarser but takes a tenth of a second for a million vertices. VTK has both.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
@@ -76,7 +74,7 @@ def is_made(scene: Scene, share: float) -> bool:
     return not can_be_reduced(scene)
 
 
-def _fewer(surface: PolyMesh, share: float) -> PolyMesh:
+def _fewer(surface: "PolyMesh", share: float) -> "PolyMesh":
     from vtkmodules.vtkFiltersCore import vtkQuadricDecimation
 
     from app.scenes.poly_mesh import PolyMesh
@@ -94,7 +92,7 @@ def _fewer(surface: PolyMesh, share: float) -> PolyMesh:
     return _binned(surface, share)
 
 
-def _binned(surface: PolyMesh, share: float) -> PolyMesh:
+def _binned(surface: "PolyMesh", share: float) -> "PolyMesh":
     """Vary the box size, corrected by the square of the result, until the share is reached."""
     from vtkmodules.vtkFiltersCore import vtkBinnedDecimation
 
@@ -127,14 +125,14 @@ def _binned(surface: PolyMesh, share: float) -> PolyMesh:
     return fewer
 
 
-def _plain(mesh: PolyMesh) -> PolyMesh:
+def _plain(mesh: "PolyMesh") -> "PolyMesh":
     """Keep points and triangles only."""
     from app.scenes.poly_mesh import PolyMesh
 
     return PolyMesh.of(mesh.points.astype(np.float32), faces=mesh.regular_faces)
 
 
-def _nearest_cells(surface: PolyMesh, fewer: PolyMesh) -> NDArray[np.integer]:
+def _nearest_cells(surface: "PolyMesh", fewer: "PolyMesh") -> NDArray[np.integer]:
     """Return for each triangle the original one with the nearest centre, whose colour it gets.
 
     A tree of the centres is used: VTK's cell locator compares all cells in one place.
@@ -153,7 +151,7 @@ def _nearest_cells(surface: PolyMesh, fewer: PolyMesh) -> NDArray[np.integer]:
     return np.asarray(first[np.array(nearest, dtype=np.int64)])
 
 
-def _centres(mesh: PolyMesh) -> NDArray[Any]:
+def _centres(mesh: "PolyMesh") -> NDArray[Any]:
     """Return the centre of each triangle, (n, 3)."""
     from vtkmodules.vtkFiltersCore import vtkCellCenters
 

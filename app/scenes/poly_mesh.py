@@ -1,7 +1,5 @@
 """VTK's meshes with numpy's arrays, by pyvista's names: to import pyvista takes as long as VTK."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 
@@ -24,7 +22,7 @@ class PolyMesh(vtkPolyData):
     @classmethod
     def of(
         cls, points: NDArray[Any], *, faces: Cells | None = None, lines: Cells | None = None
-    ) -> PolyMesh:
+    ) -> "PolyMesh":
         made = cls()
         made.points = points
         if faces is not None:
@@ -36,7 +34,7 @@ class PolyMesh(vtkPolyData):
         return made
 
     @classmethod
-    def sharing(cls, mesh: vtkPolyData) -> PolyMesh:
+    def sharing(cls, mesh: vtkPolyData) -> "PolyMesh":
         """Return a mesh with the points, cells and arrays of another one."""
         made = cls()
         made.ShallowCopy(mesh)
@@ -51,11 +49,11 @@ class PolyMesh(vtkPolyData):
         self.SetPoints(vtk_points(points))
 
     @property
-    def point_data(self) -> _NamedArrays:
+    def point_data(self) -> "_NamedArrays":
         return _NamedArrays(self.GetPointData())
 
     @property
-    def cell_data(self) -> _NamedArrays:
+    def cell_data(self) -> "_NamedArrays":
         return _NamedArrays(self.GetCellData())
 
     @property
@@ -82,7 +80,7 @@ class PolyMesh(vtkPolyData):
         faces = self.GetPolys()
         return _values(faces.GetConnectivityArray()).reshape(-1, faces.GetMaxCellSize() or 3)
 
-    def triangulate(self) -> PolyMesh:
+    def triangulate(self) -> "PolyMesh":
         divided = vtkTriangleFilter()
         divided.SetInputData(self)
         divided.PassVertsOff()

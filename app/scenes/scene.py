@@ -11,8 +11,6 @@ The built-in scenes of `app.scenes.built_in` come first, then the phenomena of
 This package knows neither Qt nor a screen. It only reads files and places the first camera.
 """
 
-from __future__ import annotations
-
 import difflib
 import math
 import os
@@ -72,7 +70,7 @@ class _MeshField:
     def __set_name__(self, _owner: type, name: str) -> None:
         self._name = name
 
-    def __get__(self, scene: Scene | None, _owner: type | None = None) -> PolyMesh | None:
+    def __get__(self, scene: "Scene | None", _owner: type | None = None) -> "PolyMesh | None":
         if scene is None:
             raise AttributeError(self._name)  # it has no default
         held = scene.__dict__[self._name]
@@ -80,7 +78,7 @@ class _MeshField:
             held = scene.__dict__[self._name] = held.make()
         return cast("PolyMesh | None", held)
 
-    def __set__(self, scene: Scene, mesh: PolyMesh | LaterMesh | None) -> None:
+    def __set__(self, scene: "Scene", mesh: "PolyMesh | LaterMesh | None") -> None:
         scene.__dict__[self._name] = mesh
 
 
@@ -110,7 +108,7 @@ class Scene(Appearance):
     start: Projection
     phenomenon: Phenomenon | None = None
     own_mesh: bool = False
-    dots: PolyMesh | None = None
+    dots: "PolyMesh | None" = None
     dot_widths: float | None = None
     notes: tuple[Refusal, ...] = ()
     names: tuple[str, ...] = NAMES
@@ -140,7 +138,7 @@ class Scene(Appearance):
         chosen = self.phenomenon.checked(settings)
         return self.phenomenon.illustration(projection, chosen, self.subject)
 
-    def with_cloud(self, points: Array, rgb: Colours | None, widths: float | None) -> Scene:
+    def with_cloud(self, points: Array, rgb: Colours | None, widths: float | None) -> "Scene":
         """Return the scene with more dots, (n, 3) in its objects' coordinates.
 
         `rgb` (n, 3) are their colours, and `widths` is their diameter as `dot_widths`.
@@ -246,7 +244,7 @@ class Scene(Appearance):
         return int(shapes.is_grid(self._line_rgb).sum())
 
     @cached_property
-    def apart(self) -> tuple[Scene, Scene]:
+    def apart(self) -> "tuple[Scene, Scene]":
         """The objects alone and the ground alone, as scenes with the same origin."""
         surface, lines = (self.__dict__[name] for name in ("surface", "lines"))
         kept: list[LaterMesh | None] = [None, None]
@@ -261,7 +259,7 @@ class Scene(Appearance):
             replace(self, surface=None, lines=ground, dots=None),
         )
 
-    def with_ground(self, low: Vector, high: Vector) -> Scene:
+    def with_ground(self, low: Vector, high: Vector) -> "Scene":
         """Return it with the part of the ground's lines that lies between two local points."""
         assert self.lines is not None
         ends, rgb = np.array(self.lines.points).reshape(-1, 2, 3), self._line_rgb
@@ -269,7 +267,7 @@ class Scene(Appearance):
         kept = ((part == ends) | (ends[:, :1] != ends[:, 1:])).all(axis=(1, 2))
         return replace(self, lines=line_set((part[kept], rgb[kept])))
 
-    def parts(self, placement: Chain) -> tuple[tuple[Scene, Space], ...]:
+    def parts(self, placement: Chain) -> "tuple[tuple[Scene, Space], ...]":
         """Return the parts that are drawn under one matrix each, with their spaces.
 
         The whole scene is one part unless the object is moved; then objects and ground are two.

@@ -1976,6 +1976,10 @@
         <translation>{0}: puudub {1}; käivitage uuesti: {2}</translation>
     </message>
     <message>
+        <source>{0} left out: already in these files</source>
+        <translation>Välja jäetud: {0}; juba nendes failides</translation>
+    </message>
+    <message>
         <source>{0} must go to different files.</source>
         <translation>{0} peavad minema eri failidesse.</translation>
     </message>
@@ -3436,8 +3440,8 @@
         <translation>Pildi laius pikslites.</translation>
     </message>
     <message>
-        <source>Width over height. The height stays, and with it the vertical field of view: the picture gains or loses at its sides.</source>
-        <translation>Laius jagatud kõrgusega. Kõrgus jääb samaks ja koos sellega vertikaalne frustumi nurk: pilt võidab või kaotab külgedelt.</translation>
+        <source>Width over height. The height stays, and with it the vertical field of view: the picture gains or loses at its sides. The window of another lens follows as “Proportions” says.</source>
+        <translation>Laius jagatud kõrgusega. Kõrgus jääb samaks ja koos sellega vertikaalne frustumi nurk: pilt võidab või kaotab külgedelt. Teise objektiivi aken järgib seda nii, nagu määravad „Proportsioonid“.</translation>
     </message>
     <message>
         <source>cabinet, 30°</source>
@@ -7670,6 +7674,10 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>on transponeeritud K, kus cx ja cy on viimases reas: vahetage read ja veerud</translation>
     </message>
     <message>
+        <source>is a wrong idea, but stands at the right choice</source>
+        <translation>on väärarusaam, aga seisab õige valiku juures</translation>
+    </message>
+    <message>
         <source>is at infinity, so it is a direction and not a point</source>
         <translation>on lõpmatuses, seega on see suund ja mitte punkt</translation>
     </message>
@@ -7762,12 +7770,20 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>ei ole tuntud; lähim nimi on {0}</translation>
     </message>
     <message>
+        <source>is shown as it is typed: the name of an idea stands at the end of a choice, one at each, in small letters</source>
+        <translation>kuvatakse nii, nagu kirjutatud: väärarusaama nimi seisab valiku lõpus, igaühe juures üks, väiketähtedega</translation>
+    </message>
+    <message>
         <source>is step {0} of a lesson; the limit is {1}</source>
         <translation>on õppetunni samm {0}; piir on {1}</translation>
     </message>
     <message>
         <source>is step {0} with an exercise; the limit of a lesson is {1}</source>
         <translation>on ülesandega samm {0}; õppetunni piir on {1}</translation>
+    </message>
+    <message>
+        <source>is the choice of line {0} again</source>
+        <translation>kordab rea {0} valikut</translation>
     </message>
     <message>
         <source>is the letter of {0} already; two things cannot share one</source>
@@ -8418,6 +8434,10 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>nimetab tundmatut väärarusaama (lähim on {0}) ja sellel ei ole oma „says:“</translation>
     </message>
     <message>
+        <source>needs 2 to {0} choices, just one of them right: “- [x]”, the others “- [ ]”</source>
+        <translation>vajab 2 kuni {0} valikut, millest õige on vaid üks: „- [x]“, ülejäänud „- [ ]“</translation>
+    </message>
+    <message>
         <source>needs a closing bracket instead of {0} (character {1})</source>
         <translation>vajab lõpetavat sulgu, mitte {0} (märk {1})</translation>
     </message>
@@ -8432,10 +8452,6 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     <message>
         <source>needs a whole number as its power instead of {0} (character {1})</source>
         <translation>vajab astendajaks täisarvu, mitte {0} (märk {1})</translation>
-    </message>
-    <message>
-        <source>needs at least two choices, just one of them right: “- [x]”, the others “- [ ]”</source>
-        <translation>vajab vähemalt kaht valikut, millest täpselt üks on õige: „- [x]“, teised „- [ ]“</translation>
     </message>
     <message>
         <source>needs lens.sensor_width_mm or lens.sensor_height_mm; the one that compares with 36 x 24 mm is lens.focal_length_mm</source>

@@ -1976,6 +1976,10 @@
         <translation>u {0} nedostaje: {1}; pokrenite ponovno: {2}</translation>
     </message>
     <message>
+        <source>{0} left out: already in these files</source>
+        <translation>Izostavljeno: {0}; već u ovim datotekama</translation>
+    </message>
+    <message>
         <source>{0} must go to different files.</source>
         <translation>{0} moraju ići u različite datoteke.</translation>
     </message>
@@ -3451,8 +3455,8 @@
         <translation>Širina slike u pikselima.</translation>
     </message>
     <message>
-        <source>Width over height. The height stays, and with it the vertical field of view: the picture gains or loses at its sides.</source>
-        <translation>Širina kroz visinu. Visina ostaje, a s njom i vertikalno vidno polje: slika se proširuje ili sužava sa strana.</translation>
+        <source>Width over height. The height stays, and with it the vertical field of view: the picture gains or loses at its sides. The window of another lens follows as “Proportions” says.</source>
+        <translation>Širina kroz visinu. Visina ostaje, a s njom i vertikalno vidno polje: slika se proširuje ili sužava sa strana. Prozor drugog objektiva prati je kako je zadano pod „Proporcije”.</translation>
     </message>
     <message>
         <source>cabinet, 30°</source>
@@ -7686,6 +7690,10 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>predstavlja transponiranu K, s cx i cy u posljednjem retku: zamijenite retke i stupce</translation>
     </message>
     <message>
+        <source>is a wrong idea, but stands at the right choice</source>
+        <translation>pogrešna je predodžba, a stoji uz točan odgovor</translation>
+    </message>
+    <message>
         <source>is at infinity, so it is a direction and not a point</source>
         <translation>leži u beskonačnosti, pa je smjer, a ne točka</translation>
     </message>
@@ -7778,12 +7786,20 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>nije poznato; najbliže ime je {0}</translation>
     </message>
     <message>
+        <source>is shown as it is typed: the name of an idea stands at the end of a choice, one at each, in small letters</source>
+        <translation>prikazuje se kako je upisano: ime predodžbe stoji na kraju ponuđenog odgovora, uz svaki po jedno, malim slovima</translation>
+    </message>
+    <message>
         <source>is step {0} of a lesson; the limit is {1}</source>
         <translation>pripada koraku {0} lekcije; granica je {1}</translation>
     </message>
     <message>
         <source>is step {0} with an exercise; the limit of a lesson is {1}</source>
         <translation>pripada koraku {0} s vježbom; granica lekcije je {1}</translation>
+    </message>
+    <message>
+        <source>is the choice of line {0} again</source>
+        <translation>ponavlja ponuđeni odgovor iz retka {0}</translation>
     </message>
     <message>
         <source>is the letter of {0} already; two things cannot share one</source>
@@ -8434,6 +8450,10 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>imenuje nepoznatu pogrešnu predodžbu (najbliža je {0}) i nema vlastiti „says:”</translation>
     </message>
     <message>
+        <source>needs 2 to {0} choices, just one of them right: “- [x]”, the others “- [ ]”</source>
+        <translation>treba 2 do {0} ponuđenih odgovora, od kojih je točan samo jedan: „- [x]”, ostali „- [ ]”</translation>
+    </message>
+    <message>
         <source>needs a closing bracket instead of {0} (character {1})</source>
         <translation>treba zatvorenu zagradu umjesto {0} (znak {1})</translation>
     </message>
@@ -8448,10 +8468,6 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     <message>
         <source>needs a whole number as its power instead of {0} (character {1})</source>
         <translation>treba cijeli broj kao eksponent umjesto {0} (znak {1})</translation>
-    </message>
-    <message>
-        <source>needs at least two choices, just one of them right: “- [x]”, the others “- [ ]”</source>
-        <translation>treba bar dva ponuđena odgovora, točno jedan točan: „- [x]”, ostali „- [ ]”</translation>
     </message>
     <message>
         <source>needs lens.sensor_width_mm or lens.sensor_height_mm; the one that compares with 36 x 24 mm is lens.focal_length_mm</source>

@@ -1976,6 +1976,10 @@
         <translation>{0} нема {1}; покрените поново: {2}</translation>
     </message>
     <message>
+        <source>{0} left out: already in these files</source>
+        <translation>Изостављено: {0}; већ у овим датотекама</translation>
+    </message>
+    <message>
         <source>{0} must go to different files.</source>
         <translation>{0} морају да иду у различите датотеке.</translation>
     </message>
@@ -3451,8 +3455,8 @@
         <translation>Ширина слике у пикселима.</translation>
     </message>
     <message>
-        <source>Width over height. The height stays, and with it the vertical field of view: the picture gains or loses at its sides.</source>
-        <translation>Ширина према висини. Висина остаје, а са њом и вертикално видно поље: слика добија или губи са страна.</translation>
+        <source>Width over height. The height stays, and with it the vertical field of view: the picture gains or loses at its sides. The window of another lens follows as “Proportions” says.</source>
+        <translation>Ширина према висини. Висина остаје, а са њом и вертикално видно поље: слика добија или губи са страна. Прозор другог објектива прати је како је задато под „Пропорције”.</translation>
     </message>
     <message>
         <source>cabinet, 30°</source>
@@ -7686,6 +7690,10 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>је транспонована K, са cx и cy у последњој врсти: замените врсте и колоне</translation>
     </message>
     <message>
+        <source>is a wrong idea, but stands at the right choice</source>
+        <translation>погрешна је представа, а стоји уз тачан одговор</translation>
+    </message>
+    <message>
         <source>is at infinity, so it is a direction and not a point</source>
         <translation>је у бесконачности, па је то смер, а не тачка</translation>
     </message>
@@ -7778,12 +7786,20 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>није познато; најближе име је {0}</translation>
     </message>
     <message>
+        <source>is shown as it is typed: the name of an idea stands at the end of a choice, one at each, in small letters</source>
+        <translation>приказује се како је уписано: име представе стоји на крају понуђеног одговора, уз сваки по једно, малим словима</translation>
+    </message>
+    <message>
         <source>is step {0} of a lesson; the limit is {1}</source>
         <translation>је корак {0} лекције; граница је {1}</translation>
     </message>
     <message>
         <source>is step {0} with an exercise; the limit of a lesson is {1}</source>
         <translation>је корак {0} са задатком; граница лекције је {1}</translation>
+    </message>
+    <message>
+        <source>is the choice of line {0} again</source>
+        <translation>понавља понуђени одговор из реда {0}</translation>
     </message>
     <message>
         <source>is the letter of {0} already; two things cannot share one</source>
@@ -8434,6 +8450,10 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>именује непознату погрешну представу (најближа је {0}) и нема сопствено „says:”</translation>
     </message>
     <message>
+        <source>needs 2 to {0} choices, just one of them right: “- [x]”, the others “- [ ]”</source>
+        <translation>тражи 2 до {0} понуђених одговора, од којих је тачан само један: „- [x]”, остали „- [ ]”</translation>
+    </message>
+    <message>
         <source>needs a closing bracket instead of {0} (character {1})</source>
         <translation>тражи затворену заграду уместо {0} (знак {1})</translation>
     </message>
@@ -8448,10 +8468,6 @@ An error in {3} is {2} times as large in u and v.</source>
     <message>
         <source>needs a whole number as its power instead of {0} (character {1})</source>
         <translation>тражи цео број као изложилац уместо {0} (знак {1})</translation>
-    </message>
-    <message>
-        <source>needs at least two choices, just one of them right: “- [x]”, the others “- [ ]”</source>
-        <translation>тражи бар два понуђена одговора, само један тачан: „- [x]”, остали „- [ ]”</translation>
     </message>
     <message>
         <source>needs lens.sensor_width_mm or lens.sensor_height_mm; the one that compares with 36 x 24 mm is lens.focal_length_mm</source>

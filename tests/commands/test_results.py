@@ -123,12 +123,31 @@ def test_every_mark_comes_from_what_was_typed(
 
 def test_files_of_one_name_are_told_apart(folder: Path) -> None:
     """A class hands in `result.json`, as the window proposes, each in a folder."""
-    for name in "ab":
+    for when, name in enumerate("ab"):
         (folder / name).mkdir()
-        tree = exported(answer("wide", 1, "56.4", "right"))
+        tree = exported(answer("wide", 1, "56.4", "right", when=when))
         (folder / name / "result.json").write_text(json.dumps(tree), encoding="utf-8")
     assert run("a/result.json", "b/result.json", table="out.csv") == 0
     assert [row["file"] for row in rows(folder / "out.csv")] == ["a/result.json", "b/result.json"]
+
+
+def test_an_answer_that_is_given_twice_counts_once(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The same file twice, under two names, and in the whole record that is handed in later."""
+    early, late = (answer("wide", 1, typed, when=n) for n, typed in enumerate(("60", "56.4")))
+    given = {"test": [early], "copy": [early], "record": [early, late, late]}
+    for name, attempts in given.items():
+        text = json.dumps(exported(*attempts, student="Ana"))
+        (folder / f"{name}.json").write_text(text, encoding="utf-8")
+    (folder / "other.json").write_text(json.dumps(exported(early, student="Bo")), encoding="utf-8")
+    files = "test.json", "test.json", "copy.json", "record.json", "other.json"
+    assert run(*files, table="out.csv") == 0
+    counts, left_out, *_ = capsys.readouterr().out.splitlines()
+    assert counts == "5 files, 3 answers: 1 right, 2 wrong, 0 shown, 0 not marked"
+    assert left_out == "4 answers left out: already in these files"
+    found = [(row["file"], row["typed"]) for row in rows(folder / "out.csv")]
+    assert found == [("test.json", "60"), ("record.json", "56.4"), ("other.json", "60")]
 
 
 def test_a_test_has_no_hints_in_a_table_either(folder: Path) -> None:

@@ -2,6 +2,7 @@
 
 import math
 import re
+import time
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -19,7 +20,7 @@ from app.lessons.lesson import parse_lesson, read
 from app.lessons.marking import digits_shown
 from app.lessons.player import PlayedBlock, Player, Progress
 from app.lessons.practice import Sheet, SheetItem, exercises_of, marked
-from app.lessons.record import Attempt
+from app.lessons.record import Attempt, Record, standings
 from app.model.projection import Camera
 from app.model.refusal import Refusal
 from tests.support.exercises import WIDE
@@ -124,6 +125,20 @@ def test_a_step_goes_on_once_its_prediction_is_made() -> None:
     assert verdict.idea == "angle-linear" and not block.is_open, "there is one try"
     assert player.held is None and shown(player) == ["What comes of it."]
     assert player.progress.answers == {"angle/wide": "1"}
+
+
+@pytest.mark.parametrize("clock", [-86_400.5, 0.0, 2.0**34 + 1.0, 4e10])
+def test_an_answer_is_kept_also_if_the_clock_is_far_off(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, clock: float
+) -> None:
+    """Before 1970, at its first second, after 2514, and after 3000."""
+    monkeypatch.setattr(time, "time", lambda: clock)
+    kept, player = Record(tmp_path / "record.jsonl"), player_at(0, LESSON)
+    player.log = kept.add
+    player.blocks[0].submit("1")
+    (attempt,) = kept.read()
+    assert attempt.typed == "1" and kept.problem is None
+    assert standings([attempt])[attempt.key].outcome == ""
 
 
 def test_what_was_begun_is_there_when_its_step_is_shown_again() -> None:

@@ -25,7 +25,7 @@ from app.scenes.phenomena.words import Phrase, Reading
 from app.scenes.scene import load
 from tests.support.controls import choose
 from tests.support.phenomenon import EVERYTHING, called
-from tests.support.window import enter, show_scene
+from tests.support.window import activate, enter, show_scene
 from widgets.controls.parameter_rows import SettingMotion, make_row, scale_of
 from widgets.controls.readout import NONE
 from widgets.controls.scene_card import SceneCard
@@ -819,3 +819,13 @@ def test_a_number_that_is_being_typed_does_not_outlive_its_scene(
     assert window.store.document.scene == "off-axis-window"
     assert "shift" in window.controls.card.rows
     assert window.store.document == window.shown.document
+
+
+@pytest.mark.undrawn
+def test_a_row_that_the_card_gives_back_keeps_the_keyboard(window: MainWindow) -> None:
+    activate(show_scene(window, "view-volumes"))
+    near = window.controls.rows["near"]
+    near.take_focus()
+    held = QApplication.focusWidget()
+    show_scene(window, "vanishing-points")
+    assert near.isVisible() and QApplication.focusWidget() is held

@@ -15,7 +15,7 @@ from tests import PATIENCE_S
 from tests.__main__ import own_screen
 
 # A program of its own, on a server of its own: Qt knows the screens of its first one only.
-ON_TWO_SCREENS = """
+OPENED = """
 import sys
 from pathlib import Path
 from PySide6.QtCore import Qt
@@ -39,7 +39,8 @@ window.setGeometry(10, 36, 780, 560)
 QApplication.processEvents()
 place = window.geometry()
 window.files.open(Path(sys.argv[2]))
-
+"""
+ON_TWO_SCREENS = """
 def say(what, presents, screen, speaker=""):
     def found():
         notes = window.talks.speaker
@@ -83,6 +84,41 @@ window.store.mark_saved()
 window.close()
 monitors.close()
 """
+WHAT_A_CLASS_READS = """
+window.lessons.go(2)
+shares = []
+
+def say(what, screen):
+    def found():
+        height, em = screen.size().height(), window.slide.equation.em_in(1e9, 1e9)
+        letters = QApplication.font().pointSizeF() / height
+        return [round(each, 6) for each in (letters, em / height, window.height() / height)]
+    for _ in range(200):
+        if window.screen() is screen and found() in (shares or [found()]):
+            break
+        QTest.qWait(10)
+    shares.append(found())
+    print(what, window.screen() is screen and shares[-1] == shares[0] or shares)
+
+laptop, projector = QApplication.screens()
+window.slots.toggle_float("image")
+window.panes["image"].setGeometry(900, 100, 300, 300)
+window.menus.present.trigger()
+say("F5", projector)
+for swapped in (laptop, projector):
+    QTest.keyClick(window, Qt.Key.Key_W)
+    say("W", swapped)
+monitors.unplug("projector")
+say("unplugged", laptop)
+for _ in range(200):
+    if laptop.geometry().contains(window.panes["image"].geometry()):
+        break
+    QTest.qWait(10)
+print("the floating pane", laptop.geometry().contains(window.panes["image"].geometry()))
+window.store.mark_saved()
+window.close()
+monitors.close()
+"""
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="an X server of our own")
@@ -98,14 +134,17 @@ def test_a_persons_screen_and_fonts_are_not_used(display: Any) -> None:
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="an X server with RandR")
-def test_the_class_has_the_external_screen_and_the_speaker_the_other(tmp_path: Path) -> None:
+@pytest.mark.parametrize(("steps", "count"), [(ON_TWO_SCREENS, 11), (WHAT_A_CLASS_READS, 5)])
+def test_the_class_has_the_external_screen_and_the_speaker_the_other(
+    tmp_path: Path, steps: str, count: int
+) -> None:
     talk = ROOT / "app" / "lessons" / "content" / "talk-000.md"
     with own_screen() as display:
         done = subprocess.run(
-            [sys.executable, "-c", ON_TWO_SCREENS, display, str(talk)],
+            [sys.executable, "-c", OPENED + steps, display, str(talk)],
             cwd=tmp_path, capture_output=True, text=True, check=False, timeout=PATIENCE_S,
             env={**os.environ, "DISPLAY": display, "PYTHONPATH": str(ROOT)},
         )  # fmt: skip
     assert done.returncode == 0, done.stdout + done.stderr
     lines = done.stdout.splitlines()
-    assert len(lines) == 11 and all(line.endswith(" True") for line in lines), done.stdout
+    assert len(lines) == count and all(line.endswith(" True") for line in lines), done.stdout

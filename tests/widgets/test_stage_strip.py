@@ -13,11 +13,11 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QStyle, QStyleOptionSlider
 
-import app.drawings.stage_box as stage_box
 from app.document.settings import set_values
 from app.drawings import WORDS
 from app.drawings.stage import StageDrawing
 from app.drawings.style import DARK, LIGHT, Style, rgb
+from app.lecture import stages
 from app.lecture.stages import IMAGE, NDC, STOPS, VIEW, WORLD, Morph, morph_of
 from app.lecture.typed_matrix import with_cell
 from app.model.projection import DEPTH_RANGES, Lens, Perspective
@@ -221,7 +221,7 @@ def test_at_ndc_no_other_stage_is_computed(
         return made[-1]
 
     screen = shown()
-    monkeypatch.setattr(stage_box, "morph_of", counted)
+    monkeypatch.setattr(stages, "morph_of", counted)
     for far in (30.0, 31.0):
         screen.drawing.show_projection(
             replace(screen.scene.start, lens=Perspective(45.0, 1.0, far))

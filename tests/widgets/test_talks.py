@@ -671,6 +671,19 @@ def test_the_speakers_window(window: MainWindow) -> None:
 
 
 @pytest.mark.undrawn
+def test_shift_f5_in_the_speakers_window_presents_from_the_first_step(window: MainWindow) -> None:
+    speaker = speaker_of(window)
+    activate(speaker)
+    for presents in (True, False):
+        go_to(window.lessons, 2)
+        if not presents:
+            window.present.end()
+        QTest.keyClick(speaker, Qt.Key.Key_F5, Qt.KeyboardModifier.ShiftModifier)
+        settle()
+        assert window.present.is_on and window.lessons.place == 0
+
+
+@pytest.mark.undrawn
 def test_enlarged_notes_stay_enlarged(window: MainWindow, tmp_path: Path) -> None:
     speaker, settings = speaker_of(window), window.settings
     before = settings.notes_px

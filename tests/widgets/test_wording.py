@@ -29,3 +29,9 @@ def test_every_word_of_a_page_is_asked_for_and_every_one_asked_for_is_there(modu
     written = {key for key in {*sentences, *keys} if re.search(f"[\"']{key}[\"']", text)}
     assert {*sentences, *keys} <= {*written, *OF_MODEL}
     assert all(words[key] for key in keys)
+
+
+def test_a_panel_without_its_section_is_told_which_is_missing() -> None:
+    words = Wording(str(ROOT / "widgets" / "window" / "main_window.py"))
+    with pytest.raises(KeyError, match="MainWindow has no heading"):
+        words["no-panel"]

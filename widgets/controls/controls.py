@@ -232,10 +232,13 @@ class Controls(Dock, RowHolder):
         if (lifted, replaced) == (self._lifted, self._replaced):
             return
         self._lifted, self._replaced = lifted, replaced
+        held = self.window().focusWidget()
         for part in self._parts:
             part.return_borrowed()
         self.card.lift(self.rows[key] for key in lifted)
         self._show_matches(self._matches)
+        if held is not None and held.isVisible():  # Qt took the focus from a row that has moved
+            held.setFocus()
 
     def lend(self, paths: Collection[str]) -> list[Row]:
         """Return the rows of these values, by their paths in a document, to another place.

@@ -14,8 +14,6 @@ styles are not used: they render, rewrite the clipping range at every drag, and 
 changes of the scene.
 """
 
-from __future__ import annotations
-
 import math
 import time
 from abc import abstractmethod
@@ -157,9 +155,8 @@ class _Canvas(QWidget):
             raise
 
     def paintEvent(self, _event: QtGui.QPaintEvent) -> None:
-        painter = QtGui.QPainter(self)
-        painter.fillRect(self.rect(), self.palette().base())
-        painter.end()
+        with QtGui.QPainter(self) as painter:
+            painter.fillRect(self.rect(), self.palette().base())
 
 
 class GlCanvas(_Canvas):
@@ -200,7 +197,7 @@ class GlCanvas(_Canvas):
         super().closeEvent(event)
 
 
-_OPEN: WeakSet[RasterCanvas] = WeakSet()
+_OPEN: "WeakSet[RasterCanvas]" = WeakSet()
 _GL_PACK_INVERT_MESA = 0x8758
 
 
@@ -268,15 +265,14 @@ class RasterCanvas(_Canvas):
             self._read()
             if self.timed:
                 self.painted.emit(1e3 * (time.perf_counter() - began))
-        painter = QtGui.QPainter(self)
-        if self._finer != 1.0:
-            painter.setRenderHint(QtGui.QPainter.RenderHint.SmoothPixmapTransform)
-        place = QRectF(self.rect())
-        if not turns_rows_over(self.render_window):
-            painter.scale(1.0, -1.0)  # OpenGL's first row is the lowest
-            place.moveTop(-self.height())
-        painter.drawImage(place, self._image)
-        painter.end()
+        with QtGui.QPainter(self) as painter:
+            if self._finer != 1.0:
+                painter.setRenderHint(QtGui.QPainter.RenderHint.SmoothPixmapTransform)
+            place = QRectF(self.rect())
+            if not turns_rows_over(self.render_window):
+                painter.scale(1.0, -1.0)  # OpenGL's first row is the lowest
+                place.moveTop(-self.height())
+            painter.drawImage(place, self._image)
         self.emit_drawn()
 
     def is_due_with(self, other: QWidget) -> bool:
@@ -331,9 +327,8 @@ class CanvasHolder(QWidget):
 
     def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         if self._room is not None and self.beside is not None:
-            painter = QtGui.QPainter(self)
-            painter.fillRect(event.rect(), self.beside)
-            painter.end()
+            with QtGui.QPainter(self) as painter:
+                painter.fillRect(event.rect(), self.beside)
 
     def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)

@@ -70,26 +70,25 @@ class Divider(QWidget):
             super().keyPressEvent(event)
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        colours, middle = self.palette(), self.width() / 2.0
-        ink, plain = (colours.color(role) for role in (QPalette.ColorRole.WindowText,
-                                                       QPalette.ColorRole.Base))  # fmt: skip
-        painter.fillRect(QRectF(middle - 1.5, 0, 3, self.height()), plain)
-        painter.fillRect(QRectF(middle - 0.5, 0, 1, self.height()), ink)
-        knob = QRectF(0, 0, self.width() - 1, self.width() - 1)
-        knob.moveCenter(QPointF(middle, self.height() / 2.0))
-        painter.setPen(ink)
-        painter.setBrush(plain)
-        painter.drawEllipse(knob)
-        painter.setBrush(ink)
-        for side in (-1.0, 1.0):
-            tip = knob.center() + QPointF(side * 0.33 * knob.width(), 0)
-            back = QPointF(-side * 3, 0)
-            painter.drawPolygon(
-                QPolygonF([tip, tip + back + QPointF(0, 3), tip + back - QPointF(0, 3)])
-            )
-        painter.end()
+        with QPainter(self) as painter:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            colours, middle = self.palette(), self.width() / 2.0
+            ink, plain = (colours.color(role) for role in (QPalette.ColorRole.WindowText,
+                                                           QPalette.ColorRole.Base))  # fmt: skip
+            painter.fillRect(QRectF(middle - 1.5, 0, 3, self.height()), plain)
+            painter.fillRect(QRectF(middle - 0.5, 0, 1, self.height()), ink)
+            knob = QRectF(0, 0, self.width() - 1, self.width() - 1)
+            knob.moveCenter(QPointF(middle, self.height() / 2.0))
+            painter.setPen(ink)
+            painter.setBrush(plain)
+            painter.drawEllipse(knob)
+            painter.setBrush(ink)
+            for side in (-1.0, 1.0):
+                tip = knob.center() + QPointF(side * 0.33 * knob.width(), 0)
+                back = QPointF(-side * 3, 0)
+                painter.drawPolygon(
+                    QPolygonF([tip, tip + back + QPointF(0, 3), tip + back - QPointF(0, 3)])
+                )
 
 
 class _Other(QWidget):

@@ -76,10 +76,9 @@ class DiagramView(QWidget):
         image = QImage(PRINTED_PX * PRINTED_FINER, QImage.Format.Format_RGB32)
         image.setDevicePixelRatio(PRINTED_FINER)
         image.fill(LIGHT.background)
-        painter = QPainter(image)
-        if self._diagram is not None:
-            DiagramPainter(self._diagram, QSizeF(PRINTED_PX), self.font(), LIGHT).paint(painter)
-        painter.end()
+        with QPainter(image) as painter:
+            if self._diagram is not None:
+                DiagramPainter(self._diagram, QSizeF(PRINTED_PX), self.font(), LIGHT).paint(painter)
         return image
 
     def _laid_out(self, diagram: Diagram) -> DiagramPainter:
@@ -158,9 +157,8 @@ class DiagramView(QWidget):
     def paintEvent(self, event: QPaintEvent) -> None:
         if self._diagram is None:
             return
-        painter = QPainter(self)
-        self._laid_out(self._diagram).paint(painter)
-        if self.hasFocus():
-            painter.setPen(QPen(self.palette().highlight(), 2.0))
-            painter.drawRect(self.rect().adjusted(1, 1, -1, -1))
-        painter.end()
+        with QPainter(self) as painter:
+            self._laid_out(self._diagram).paint(painter)
+            if self.hasFocus():
+                painter.setPen(QPen(self.palette().highlight(), 2.0))
+                painter.drawRect(self.rect().adjusted(1, 1, -1, -1))

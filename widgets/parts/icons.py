@@ -93,9 +93,8 @@ def _colour(
 def _image(name: str, size: QSize, colour: str, opacity: float) -> QImage:
     image = QImage(size, QImage.Format.Format_ARGB32_Premultiplied)
     image.fill(Qt.GlobalColor.transparent)
-    painter = QPainter(image)
-    _draw(painter, image.rect(), name, colour, opacity)
-    painter.end()
+    with QPainter(image) as painter:
+        _draw(painter, image.rect(), name, colour, opacity)
     return image
 
 
@@ -162,6 +161,5 @@ class Combo(QComboBox):
         side = round(ARROW * min(room.width(), room.height()))
         place = QRect(0, 0, side, side)
         place.moveCenter(room.center())
-        painter = QPainter(self)
-        paint_icon(painter, place, "choose", enabled=self.isEnabled())
-        painter.end()
+        with QPainter(self) as painter:
+            paint_icon(painter, place, "choose", enabled=self.isEnabled())

@@ -37,9 +37,8 @@ class WarningLabel(LetteredWidget, PlainLabel):
         super().paintEvent(event)
         if self.is_warning and self.text():
             side, room = self.fontMetrics().height(), self.contentsRect()
-            painter = QPainter(self)
-            paint_icon(painter, QRect(room.left(), room.top(), side, side), "warning")
-            painter.end()
+            with QPainter(self) as painter:
+                paint_icon(painter, QRect(room.left(), room.top(), side, side), "warning")
 
 
 class RefusalLabel(WarningLabel):
@@ -137,21 +136,20 @@ class Balanced(PlainLabel):
         parts = self.text().split("\n")
         heights = [height(inside.width(), part) for part in parts]
         top = inside.top() + max(0, inside.height() - sum(heights)) // 2
-        painter = QPainter(self)
-        painter.setPen(self.palette().color(self.foregroundRole()))
-        for part, needed in zip(parts, heights, strict=True):
-            width = inside.width()
-            if needed >= 2 * metrics.height():  # of several lines
-                longest = max(map(metrics.horizontalAdvance, part.split()), default=0)
-                widths = range(min(longest + 2, width), width)
-                place = bisect_left(widths, True, key=lambda w: height(w, part) <= needed)
-                width = widths.start + place
-            if "_" in part and not self._is_name:
-                self._paint_subscripts(painter, inside.left(), top, width, part)
-            else:
-                painter.drawText(QRect(inside.left(), top, width, needed), wrap, part)
-            top += needed
-        painter.end()
+        with QPainter(self) as painter:
+            painter.setPen(self.palette().color(self.foregroundRole()))
+            for part, needed in zip(parts, heights, strict=True):
+                width = inside.width()
+                if needed >= 2 * metrics.height():  # of several lines
+                    longest = max(map(metrics.horizontalAdvance, part.split()), default=0)
+                    widths = range(min(longest + 2, width), width)
+                    place = bisect_left(widths, True, key=lambda w: height(w, part) <= needed)
+                    width = widths.start + place
+                if "_" in part and not self._is_name:
+                    self._paint_subscripts(painter, inside.left(), top, width, part)
+                else:
+                    painter.drawText(QRect(inside.left(), top, width, needed), wrap, part)
+                top += needed
 
     def _paint_subscripts(
         self, painter: QPainter, left: int, top: int, width: int, text: str

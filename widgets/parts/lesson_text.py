@@ -10,19 +10,8 @@ from pathlib import Path
 from string import Template
 from typing import Any, cast
 
-from PySide6 import QtGui
-from PySide6.QtCore import (
-    QEvent,
-    QMimeData,
-    QPointF,
-    QRect,
-    QRectF,
-    QRegularExpression,
-    QSignalBlocker,
-    QSize,
-    QSizeF,
-    Qt,
-)
+from PySide6 import QtCore, QtGui
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFrame, QSizePolicy
 
 from app.lecture.typesetting import Outline, outline
@@ -47,7 +36,7 @@ DISPLAYED_LARGER = 1.25
 ROOM_EM = 0.06  # space on both sides of a formula
 MAY_BREAK, NO_BREAK = "\u200b", "\u2060"
 """Characters without width: a line may break at the first, but not at the second."""
-_PLACE = QRegularExpression(f"[{FORMULA}{DISPLAYED}]")
+_PLACE = QtCore.QRegularExpression(f"[{FORMULA}{DISPLAYED}]")
 _ENDS = FORMULA, DISPLAYED, "\ufdd0", "\ufdd1", "\0"
 """What ends the word behind a formula, besides spaces: another one, or a table's cell."""
 LIST_EM = 0.55  # half the indent of a list: Qt indents by two units
@@ -139,7 +128,7 @@ class _Formulas(QtGui.QPyTextObject):
 
     def _set(
         self, document: QtGui.QTextDocument, at: int, form: QtGui.QTextFormat
-    ) -> tuple[str, Outline, float, QSizeF]:
+    ) -> tuple[str, Outline, float, QtCore.QSizeF]:
         """Return TeX, outline, em in pixels, and the size with which Qt centres the formula."""
         font = _font(document, form)
         tail = QtGui.QFontMetricsF(font).horizontalAdvance(form.stringProperty(_TAIL))
@@ -159,17 +148,17 @@ class _Formulas(QtGui.QPyTextObject):
         # Qt centres an object a quarter of the letters' x-height above the line.
         half = QtGui.QFontMetrics(form.toCharFormat().font()).xHeight() / 2.0
         height = max(2.0 * shape.ascent * em - half, 2.0 * shape.descent * em + half)
-        return tex, shape, em, QSizeF((shape.width + 2.0 * ROOM_EM) * em + tail, height)
+        return tex, shape, em, QtCore.QSizeF((shape.width + 2.0 * ROOM_EM) * em + tail, height)
 
     def intrinsicSize(
         self, document: QtGui.QTextDocument, at: int, form: QtGui.QTextFormat
-    ) -> QSizeF:
+    ) -> QtCore.QSizeF:
         return self._set(document, at, form)[3]
 
     def drawObject(
         self,
         painter: QtGui.QPainter,
-        rect: QRectF | QRect,
+        rect: QtCore.QRectF | QtCore.QRect,
         document: QtGui.QTextDocument,
         at: int,
         form: QtGui.QTextFormat,
@@ -190,7 +179,7 @@ class _Formulas(QtGui.QPyTextObject):
         letters = tail.createLine()
         letters.setNumColumns(LONGEST_TAIL)
         tail.endLayout()
-        tail.draw(painter, QPointF((shape.width + ROOM_EM) * em, -letters.ascent()))
+        tail.draw(painter, QtCore.QPointF((shape.width + ROOM_EM) * em, -letters.ascent()))
         inks = {name: QtGui.QColor(ink) for name, ink in (document.property(INKS) or {}).items()}
         fill_line(painter, f"${tex}$", em, (0.0, 0.0), brush, inks)
         painter.restore()
@@ -246,7 +235,7 @@ class LessonText(ReadText):
         if width not in self._heights:
             document = self.document()
             # Otherwise Qt sets its own width again.
-            blocker = QSignalBlocker(document.documentLayout())
+            blocker = QtCore.QSignalBlocker(document.documentLayout())
             before = document.textWidth()
             document.setTextWidth(width)
             self._heights[width] = math.ceil(document.size().height())
@@ -254,18 +243,18 @@ class LessonText(ReadText):
             blocker.unblock()
         return self._heights[width]
 
-    def changeEvent(self, event: QEvent) -> None:
+    def changeEvent(self, event: QtCore.QEvent) -> None:
         super().changeEvent(event)
-        if event.type() in (QEvent.Type.FontChange, QEvent.Type.StyleChange):
+        if event.type() in (QtCore.QEvent.Type.FontChange, QtCore.QEvent.Type.StyleChange):
             self._heights.clear()
             self.updateGeometry()
 
-    def sizeHint(self) -> QSize:
+    def sizeHint(self) -> QtCore.QSize:
         width = max(self.width(), 120)
-        return QSize(width, self.heightForWidth(width))
+        return QtCore.QSize(width, self.heightForWidth(width))
 
-    def minimumSizeHint(self) -> QSize:
-        return QSize(60, self.fontMetrics().height())
+    def minimumSizeHint(self) -> QtCore.QSize:
+        return QtCore.QSize(60, self.fontMetrics().height())
 
     def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -275,8 +264,8 @@ class LessonText(ReadText):
     def wheelEvent(self, event: QtGui.QWheelEvent) -> None:
         event.ignore()  # the area around it scrolls
 
-    def createMimeDataFromSelection(self) -> QMimeData:
-        cursor, data, words = self.textCursor(), QMimeData(), ""
+    def createMimeDataFromSelection(self) -> QtCore.QMimeData:
+        cursor, data, words = self.textCursor(), QtCore.QMimeData(), ""
         at = QtGui.QTextCursor(self.document())
         for place in range(cursor.selectionStart(), cursor.selectionEnd()):
             at.setPosition(place + 1)

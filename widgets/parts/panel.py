@@ -87,9 +87,8 @@ class TintedWidget(OfWidget):
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
         if self.is_marked:
-            painter = QPainter(self)
-            paint_highlight(self, painter, QRectF(self.rect()))
-            painter.end()
+            with QPainter(self) as painter:
+                paint_highlight(self, painter, QRectF(self.rect()))
 
 
 class MarkedLabel(TintedWidget, PlainLabel):

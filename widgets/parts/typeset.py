@@ -396,20 +396,19 @@ class TypesetLabel(MarkedLabel):
             return
         laid_out, room = typeset(self.formula, self.font()), QRectF(self.contentsRect())
         wanted = laid_out.width + 2.0
-        painter = QtGui.QPainter(self)
-        painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
-        painter.setPen(self.palette().color(self.foregroundRole()))
-        painter.save()
-        is_right = bool(self.alignment() & Qt.AlignmentFlag.AlignRight)
-        painter.translate(room.right() if is_right else room.left(), room.center().y())
-        if self.shrinks and wanted > room.width():
-            painter.scale(room.width() / wanted, room.width() / wanted)
-        x = 1.0 - wanted if is_right else 1.0
-        laid_out.paint(painter, x, laid_out.below_middle)
-        if self.cell is not None and self.is_marked:
-            cell = laid_out.cells[self.cell].translated(x, laid_out.below_middle)
-            paint_highlight(self, painter, cell.adjusted(-ROOM_PX, 0.0, ROOM_PX, 0.0))
-        painter.restore()
-        if self.cell is None and self.is_marked:
-            paint_highlight(self, painter, QRectF(self.rect()))
-        painter.end()
+        with QtGui.QPainter(self) as painter:
+            painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
+            painter.setPen(self.palette().color(self.foregroundRole()))
+            painter.save()
+            is_right = bool(self.alignment() & Qt.AlignmentFlag.AlignRight)
+            painter.translate(room.right() if is_right else room.left(), room.center().y())
+            if self.shrinks and wanted > room.width():
+                painter.scale(room.width() / wanted, room.width() / wanted)
+            x = 1.0 - wanted if is_right else 1.0
+            laid_out.paint(painter, x, laid_out.below_middle)
+            if self.cell is not None and self.is_marked:
+                cell = laid_out.cells[self.cell].translated(x, laid_out.below_middle)
+                paint_highlight(self, painter, cell.adjusted(-ROOM_PX, 0.0, ROOM_PX, 0.0))
+            painter.restore()
+            if self.cell is None and self.is_marked:
+                paint_highlight(self, painter, QRectF(self.rect()))

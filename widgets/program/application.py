@@ -10,8 +10,6 @@ Later errors of slots, threads, Qt and VTK go to one log file; an uncaught excep
 `ErrorReport`.
 """
 
-from __future__ import annotations
-
 import contextlib
 import gc
 import locale
@@ -166,7 +164,7 @@ def run_window(
     saved: Document,
     path: Path | None,
     options: Options,
-    scene: Scene | None = None,
+    scene: "Scene | None" = None,
     lesson: Path | None = None,
 ) -> int:
     """Open the window on a document; return 0 when it is closed, 1 if a part of it stayed empty.
@@ -231,13 +229,13 @@ def run_window(
 
 
 def _window_with(
-    work: Work,
-    scene: Scene | None,
+    work: "Work",
+    scene: "Scene | None",
     settings: Settings,
     graphics: opengl.OpenGL,
     canvas: str,
     options: Options,
-) -> MainWindow:
+) -> "MainWindow":
     """Make a window that goes on with some work."""
     from widgets.window.main_window import MainWindow
 

@@ -25,16 +25,6 @@ from widgets.parts.messages import FEW, figure_text
 from widgets.parts.translator import off_screen_application
 from widgets.parts.typeset import paint_brackets
 from widgets.program import paper
-from widgets.program.paper import (
-    BETWEEN_PT,
-    BETWEEN_STEPS_PT,
-    FOOT_PT,
-    NOTE_INDENT_PT,
-    RULE_PT,
-    TEXT_PT,
-    TITLE_PT,
-    PageBlock,
-)
 
 FIGURE_WIDTHS = (0.5, 0.46, 0.42, 0.38)
 """Possible widths of a figure, as parts of the page's: the largest one that needs few pages."""
@@ -84,19 +74,19 @@ def exam(name: str, seed: int, exercises: Sequence[Numbered], check: Callable[[]
 
     def lay_out(width: float, height: float) -> Iterator[paper.PaintPage]:
         head = _head(title, seed, width)
-        pages = paged(exercises, head, width, height)
+        pages, gap = paged(exercises, head, width, height), paper.BETWEEN_STEPS_PT
 
         def paint(number: int, painter: QPainter) -> None:
             parts, y = pages[number - 1], 0.0
-            room = height - sum(part.height + BETWEEN_STEPS_PT for part in parts) + BETWEEN_STEPS_PT
+            room = height - sum(part.height + gap for part in parts) + gap
             if number == 1:
                 head.draw(painter, 0.0, 0.0)
-                y = head.height + BETWEEN_STEPS_PT
+                y = head.height + gap
                 room -= y
             for part in parts:
                 high = part.height + room / len(parts)
                 part.draw(painter, 0.0, y, QRectF(0.0, 0.0, width, high))
-                y += high + BETWEEN_STEPS_PT
+                y += high + gap
             paper.foot(painter, left, f"{number} / {len(pages)}", width, height)
 
         for number in range(1, len(pages) + 1):
@@ -120,14 +110,14 @@ def key(
     title = QCoreApplication.translate("Exam", "Key: {0}").format(name)
 
     def lay_out(width: float, height: float) -> Iterator[paper.PaintPage]:
-        blocks = [paper.text(title, width, 1.4 * TITLE_PT, title=True)]
+        blocks = [paper.text(title, width, 1.4 * paper.TITLE_PT, title=True)]
         if note:
-            blocks.append(paper.text(note, width, TEXT_PT))
+            blocks.append(paper.text(note, width, paper.TEXT_PT))
         seeds = {id(block): variants[0][0] for block in blocks}
         for seed, exercises in variants:
-            blocks[-1].after = BETWEEN_STEPS_PT
+            blocks[-1].after = paper.BETWEEN_STEPS_PT
             variant = QCoreApplication.translate("Exam", "Variant {0}").format(seed)
-            added = [paper.text(variant, width, TITLE_PT, title=True)]
+            added = [paper.text(variant, width, paper.TITLE_PT, title=True)]
             for number, each in enumerate(exercises, 1):
                 added += _answer(number, each, width)
             seeds |= {id(block): seed for block in added}
@@ -144,7 +134,7 @@ def key(
     return paper.pdf(title, lay_out)
 
 
-def _answer(number: int, exercise: Numbered, width: float) -> Iterator[PageBlock]:
+def _answer(number: int, exercise: Numbered, width: float) -> Iterator[paper.PageBlock]:
     """Yield the answer of an exercise and the way to it; a place is marked in its picture."""
     question, here = exercise.variant.question, exercise.variant.here
     answer = answer_of(question, here)
@@ -153,12 +143,12 @@ def _answer(number: int, exercise: Numbered, width: float) -> Iterator[PageBlock
     parts += question.reasons(here)
     texts = "\n\n".join(filter(None, (*parts, _mistaken(question, here))))
     if place is None:
-        yield paper.text(texts, width, TEXT_PT)
+        yield paper.text(texts, width, paper.TEXT_PT)
         return
     mark = paper.MarkedPlace(*place)
     figure = paper.figure(here.document, width, IN_KEY * width, exercise.panes, mark)
-    left = figure.wide + NOTE_INDENT_PT
-    yield paper.beside(figure, [paper.text(texts, width - left, TEXT_PT)], left)
+    left = figure.wide + paper.NOTE_INDENT_PT
+    yield paper.beside(figure, [paper.text(texts, width - left, paper.TEXT_PT)], left)
 
 
 def _mistaken(question: Asked, here: Here) -> str:
@@ -173,33 +163,33 @@ def _mistaken(question: Asked, here: Here) -> str:
 # --------------------------------------------------------------------------- a page of a test
 
 
-def _head(title: str, seed: int, width: float) -> PageBlock:
+def _head(title: str, seed: int, width: float) -> paper.PageBlock:
     """The title and lines for name and date."""
     variant = QCoreApplication.translate("Exam", "Variant {0}").format(seed)
-    top = paper.text(title, width, TITLE_PT, title=True)
-    side = paper.text(variant, width, TEXT_PT)
-    name = paper.text(QCoreApplication.translate("Exam", "Name"), width, TEXT_PT)
-    date = paper.text(QCoreApplication.translate("Exam", "Date"), width, TEXT_PT)
-    below = top.height + RULE_PT
+    top = paper.text(title, width, paper.TITLE_PT, title=True)
+    side = paper.text(variant, width, paper.TEXT_PT)
+    name = paper.text(QCoreApplication.translate("Exam", "Name"), width, paper.TEXT_PT)
+    date = paper.text(QCoreApplication.translate("Exam", "Date"), width, paper.TEXT_PT)
+    below = top.height + paper.RULE_PT
 
     def paint(painter: QPainter, part: QRectF) -> None:
         top.draw(painter, 0.0, 0.0)
         side.draw(painter, width - side.wide, top.height - side.height)
         for block, begin, end in ((name, 0.0, 0.62), (date, 0.66, 1.0)):
             block.draw(painter, begin * width, below - block.height)
-            _line(painter, begin * width + block.wide + BETWEEN_PT, end * width, below)
+            _line(painter, begin * width + block.wide + paper.BETWEEN_PT, end * width, below)
 
-    return PageBlock(below, paint)
+    return paper.PageBlock(below, paint)
 
 
 def paged(
-    exercises: Sequence[Numbered], head: PageBlock, width: float, height: float
-) -> list[list[PageBlock]]:
+    exercises: Sequence[Numbered], head: paper.PageBlock, width: float, height: float
+) -> list[list[paper.PageBlock]]:
     """Place exercises on few pages that are about equally full, with figures as wide as fit."""
     layouts = []
     for share in FIGURE_WIDTHS:
         parts = [_part(n, each, width, share) for n, each in enumerate(exercises, 1)]
-        first = head.height + BETWEEN_STEPS_PT
+        first = head.height + paper.BETWEEN_STEPS_PT
         least = [part.height + first * (number == 0) for number, part in enumerate(parts)]
         longest = max(range(len(parts)), key=least.__getitem__)
         if least[longest] > height:
@@ -221,14 +211,14 @@ def _ends(heights: Sequence[float], height: float) -> list[int]:
         if used and used + each > height:
             ends.append(place)
             used = 0.0
-        used += each + BETWEEN_STEPS_PT
+        used += each + paper.BETWEEN_STEPS_PT
     return [*ends, len(heights)]
 
 
-def _part(number: int, exercise: Numbered, width: float, share: float) -> PageBlock:
+def _part(number: int, exercise: Numbered, width: float, share: float) -> paper.PageBlock:
     """An exercise of the least height: title, text and picture, room to write, and the answer."""
     question = exercise.variant.question
-    title = paper.text(f"{number}. {exercise.title}", width, 1.1 * TEXT_PT, title=True)
+    title = paper.text(f"{number}. {exercise.title}", width, 1.1 * paper.TEXT_PT, title=True)
     figure = None
     if exercise.panes:
         figure = paper.figure(
@@ -236,29 +226,29 @@ def _part(number: int, exercise: Numbered, width: float, share: float) -> PageBl
         )
         if exercise.is_sketch:
             said = QCoreApplication.translate("Exam", "A sketch, not to scale.")
-            figure = paper.below(figure, paper.text(said, figure.wide, FOOT_PT))
+            figure = paper.below(figure, paper.text(said, figure.wide, paper.FOOT_PT))
     told = [*(part.text for part in exercise.placed.words), question.posed()]
     if question.pane:
         told.append(
             QCoreApplication.translate("Exam", "Mark the place in the picture with a cross.")
         )
     asked = "\n\n".join(told)
-    room = width - (figure.wide + NOTE_INDENT_PT if figure is not None else 0.0)
-    body = paper.text(asked, max(room, COLUMN * width), TEXT_PT)
+    room = width - (figure.wide + paper.NOTE_INDENT_PT if figure is not None else 0.0)
+    body = paper.text(asked, max(room, COLUMN * width), paper.TEXT_PT)
     is_beside = room >= COLUMN * width and body.wide <= room + 0.5
     if not is_beside:
-        body = paper.text(asked, width, TEXT_PT)
-    top = title.height + BETWEEN_PT
-    picture_top = top if is_beside else top + body.height + BETWEEN_PT
+        body = paper.text(asked, width, paper.TEXT_PT)
+    top = title.height + paper.BETWEEN_PT
+    picture_top = top if is_beside else top + body.height + paper.BETWEEN_PT
     high = figure.height if figure is not None else 0.0
-    body_end = top + body.height + BETWEEN_PT
-    picture_end = max(body_end, picture_top + high + BETWEEN_PT)
+    body_end = top + body.height + paper.BETWEEN_PT
+    picture_end = max(body_end, picture_top + high + paper.BETWEEN_PT)
     answer = _place_of_answer(question)
     # Beside the picture, below the text, there may already be room enough.
-    squares = picture_end - BETWEEN_PT - body_end
+    squares = picture_end - paper.BETWEEN_PT - body_end
     is_roomy = squares >= ROOM_PT and room >= COLUMN * width
     needs_room = question.is_worked and not is_roomy
-    least = picture_end + (ROOM_PT + BETWEEN_PT) * needs_room + answer.height
+    least = picture_end + (ROOM_PT + paper.BETWEEN_PT) * needs_room + answer.height
 
     def paint(painter: QPainter, place: QRectF) -> None:
         height = place.height()
@@ -269,23 +259,23 @@ def _part(number: int, exercise: Numbered, width: float, share: float) -> PageBl
         if is_roomy:
             left = 0.0 if is_beside else width - room
             _squares(painter, QRectF(left, body_end, room, squares))
-        free = height - answer.height - picture_end - BETWEEN_PT
+        free = height - answer.height - picture_end - paper.BETWEEN_PT
         _squares(painter, QRectF(0.0, picture_end, width, free))
         answer.draw(painter, 0.0, height - answer.height)
 
-    return PageBlock(least, paint)
+    return paper.PageBlock(least, paint)
 
 
-def _place_of_answer(question: Asked) -> PageBlock:
+def _place_of_answer(question: Asked) -> paper.PageBlock:
     """The line for a number or a choice, or the cells of a matrix; nothing for a place."""
     rows, columns = question.shape
     if not rows:
-        return PageBlock(0.0, lambda *_: None)
-    word = paper.text(QCoreApplication.translate("Exam", "Answer:"), 200.0, TEXT_PT)
-    unit = paper.text(question.unit, 200.0, TEXT_PT)
+        return paper.PageBlock(0.0, lambda *_: None)
+    word = paper.text(QCoreApplication.translate("Exam", "Answer:"), 200.0, paper.TEXT_PT)
+    unit = paper.text(question.unit, 200.0, paper.TEXT_PT)
     is_matrix = rows * columns > 1
-    wide, high = CELL_PT if is_matrix else (LINE_PT, RULE_PT)
-    left = word.wide + BETWEEN_PT + BRACKET_PT * is_matrix
+    wide, high = CELL_PT if is_matrix else (LINE_PT, paper.RULE_PT)
+    left = word.wide + paper.BETWEEN_PT + BRACKET_PT * is_matrix
     right, low = left + columns * wide, rows * high
 
     def paint(painter: QPainter, _part: QRectF) -> None:
@@ -304,7 +294,7 @@ def _place_of_answer(question: Asked) -> PageBlock:
         box = QRectF(left - BRACKET_PT, 0.0, right - left + 2.0 * BRACKET_PT, low)
         paint_brackets(painter, box, BRACKET_PT)
 
-    return PageBlock(low, paint)
+    return paper.PageBlock(low, paint)
 
 
 def _line(painter: QPainter, left: float, right: float, y: float) -> None:

@@ -25,17 +25,6 @@ from widgets.program.handout_content import (
     contents,
     planned,
 )
-from widgets.program.paper import (
-    BETWEEN_PT,
-    BETWEEN_STEPS_PT,
-    NOTE_INDENT_PT,
-    NOTE_PT,
-    RULE_PT,
-    TEXT_PT,
-    TITLE_PT,
-    PageBlock,
-    PaperPage,
-)
 
 FIGURE_WIDTHS = (0.58, 0.54, 0.62, 0.5, 0.66, 0.46, 0.7)
 """Possible widths of a figure, as parts of the page's: the first ones look best."""
@@ -68,18 +57,18 @@ class _HandoutSheet:
         self._course, self._width, self._answers = course, width, answers
         self._figure_width = part * width
 
-    def head(self) -> Iterator[PageBlock]:
-        yield paper.text(self._course.lesson.title, self._width, 1.4 * TITLE_PT, title=True)
+    def head(self) -> Iterator[paper.PageBlock]:
+        yield paper.text(self._course.lesson.title, self._width, 1.4 * paper.TITLE_PT, title=True)
         if self._answers and (minutes := planned(self._course.lesson)):
-            yield paper.text(minutes, self._width, TEXT_PT)
+            yield paper.text(minutes, self._width, paper.TEXT_PT)
 
-    def steps(self) -> Iterator[PageBlock]:
+    def steps(self) -> Iterator[paper.PageBlock]:
         for place in range(len(self._course.lesson.steps)):
             blocks = list(self._of(place))
-            blocks[-1].after = BETWEEN_STEPS_PT
+            blocks[-1].after = paper.BETWEEN_STEPS_PT
             yield from blocks
 
-    def _of(self, place: int) -> Iterator[PageBlock]:
+    def _of(self, place: int) -> Iterator[paper.PageBlock]:
         """Yield a step's blocks; numbers, and what students are asked, are beside their figure."""
         printed = [(each, list(self._blocks(each)))
                  for each in contents(self._course, place, self._answers)]  # fmt: skip
@@ -93,66 +82,66 @@ class _HandoutSheet:
                 block.kept |= is_kept or (is_table and block is not blocks[-1])
             yield from blocks
 
-    def _blocks(self, content: Content) -> Iterator[PageBlock]:
+    def _blocks(self, content: Content) -> Iterator[paper.PageBlock]:
         if isinstance(content, StepFigure):
             yield from self._with_figure(content)
         elif isinstance(content, PanelNumbers):
-            yield from (paper.text(text, self._width, NOTE_PT) for text in content.texts)
+            yield from (paper.text(text, self._width, paper.NOTE_PT) for text in content.texts)
             yield from _side_by_side(content.formulas, self._width)
         elif isinstance(content, EquationTables):
             yield from _beside(content.tables, self._width)
         elif isinstance(content, Heading):
-            yield paper.text(content.text, self._width, TITLE_PT, title=True)
+            yield paper.text(content.text, self._width, paper.TITLE_PT, title=True)
         elif isinstance(content, ToWrite):
-            yield paper.ruled(self._width, LINES_BELOW * RULE_PT)
+            yield paper.ruled(self._width, LINES_BELOW * paper.RULE_PT)
         else:
-            yield paper.text(content, self._width, TEXT_PT)
+            yield paper.text(content, self._width, paper.TEXT_PT)
 
-    def _with_figure(self, shown: StepFigure) -> Iterator[PageBlock]:
+    def _with_figure(self, shown: StepFigure) -> Iterator[paper.PageBlock]:
         """Yield a figure and its texts: beside it if they are narrow and low enough."""
         texts, note = shown.texts, shown.note
         figure = paper.figure(shown.document, self._width, self._figure_width)
         drawn = QImage() if shown.slide is None else QImage(str(shown.slide))
         if not drawn.isNull():
             figure = paper.picture(drawn, self._width)
-        left = figure.wide + NOTE_INDENT_PT
+        left = figure.wide + paper.NOTE_INDENT_PT
         room = self._width - left
         if figure.wide > 0.75 * self._width:  # there is no room beside it
             yield figure
             yield from self._below(texts, note)
             if not self._answers:
-                yield paper.ruled(self._width, LINES_BELOW * RULE_PT)
+                yield paper.ruled(self._width, LINES_BELOW * paper.RULE_PT)
             return
-        beside, most = list[PageBlock](), COLUMN_OVER * figure.height
+        beside, most = list[paper.PageBlock](), COLUMN_OVER * figure.height
         if not self._answers:
-            most = figure.height - LINES_BESIDE * RULE_PT
+            most = figure.height - LINES_BESIDE * paper.RULE_PT
 
-        def fits(block: PageBlock) -> bool:
-            high = sum(each.height + BETWEEN_PT for each in beside) + block.height
+        def fits(block: paper.PageBlock) -> bool:
+            high = sum(each.height + paper.BETWEEN_PT for each in beside) + block.height
             return high <= most and block.wide <= room + 0.5
 
-        while texts and fits(block := paper.text(texts[0], room, TEXT_PT)):
+        while texts and fits(block := paper.text(texts[0], room, paper.TEXT_PT)):
             beside.append(block)
             texts = texts[1:]
-        if note and fits(block := paper.text(note, room, NOTE_PT, left=NOTE_INDENT_PT)):
+        if note and fits(block := paper.text(note, room, paper.NOTE_PT, left=paper.NOTE_INDENT_PT)):
             beside.append(block)
             note = ""
         if not self._answers:
-            used = sum(each.height + BETWEEN_PT for each in beside)
+            used = sum(each.height + paper.BETWEEN_PT for each in beside)
             beside.append(paper.ruled(room, figure.height - used))
         yield paper.beside(figure, beside, left)
         yield from self._below(texts, note)
 
-    def _below(self, texts: Iterable[str], note: str) -> Iterator[PageBlock]:
-        yield from (paper.text(text, self._width, TEXT_PT) for text in texts)
+    def _below(self, texts: Iterable[str], note: str) -> Iterator[paper.PageBlock]:
+        yield from (paper.text(text, self._width, paper.TEXT_PT) for text in texts)
         if note:
-            yield paper.text(note, self._width, NOTE_PT, left=NOTE_INDENT_PT)
+            yield paper.text(note, self._width, paper.NOTE_PT, left=paper.NOTE_INDENT_PT)
 
 
-def _beside(tables: Iterable[str], width: float) -> Iterator[PageBlock]:
-    row: list[PageBlock] = []
-    for block in (paper.text(table, width, NOTE_PT) for table in tables):
-        if row and sum(each.wide + BETWEEN_PT for each in row) + block.wide > width:
+def _beside(tables: Iterable[str], width: float) -> Iterator[paper.PageBlock]:
+    row: list[paper.PageBlock] = []
+    for block in (paper.text(table, width, paper.NOTE_PT) for table in tables):
+        if row and sum(each.wide + paper.BETWEEN_PT for each in row) + block.wide > width:
             yield paper.in_row(row)
             row = []
         row.append(block)
@@ -160,7 +149,7 @@ def _beside(tables: Iterable[str], width: float) -> Iterator[PageBlock]:
         yield paper.in_row(row)
 
 
-def _side_by_side(formulas: Iterable[str], width: float) -> Iterator[PageBlock]:
+def _side_by_side(formulas: Iterable[str], width: float) -> Iterator[paper.PageBlock]:
     font = words_font()
     font.setPixelSize(FORMULA_PX)
     scale = FORMULA_PT / FORMULA_PX
@@ -178,7 +167,7 @@ def _side_by_side(formulas: Iterable[str], width: float) -> Iterator[PageBlock]:
         rows[-1].append(part.at(right, part.ascent))
         right += part.width + BETWEEN_FORMULAS_PX
     for row in rows:
-        yield PageBlock(scale * max(part.descent for part in row), partial(_paint_row, row))
+        yield paper.PageBlock(scale * max(part.descent for part in row), partial(_paint_row, row))
 
 
 def _paint_row(row: Sequence[Typeset], painter: QPainter, _part: QRectF) -> None:
@@ -187,7 +176,7 @@ def _paint_row(row: Sequence[Typeset], painter: QPainter, _part: QRectF) -> None
         formula.paint(painter, 0.0, 0.0)
 
 
-def paged(course: Course, width: float, height: float, answers: bool) -> list[PaperPage]:
+def paged(course: Course, width: float, height: float, answers: bool) -> list[paper.PaperPage]:
     """Place a talk on pages, with figures of the width that fills them best."""
     sheets = (_HandoutSheet(course, width, part, answers) for part in FIGURE_WIDTHS)
     return paper.best([paper.placed([*sheet.head(), *sheet.steps()], height) for sheet in sheets])

@@ -6,7 +6,6 @@ The rows are those of the dock, which lends them while the strip is shown.
 from collections.abc import Collection
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
-from PySide6.QtGui import QFont
 from PySide6.QtWidgets import QFrame, QSizePolicy, QWidget
 
 from app.document.view import MOST_ON_SLIDE, STRIP
@@ -17,7 +16,6 @@ from widgets.parts.fields import Row
 from widgets.parts.layouts import FittedWidget, in_row
 from widgets.parts.panel import Changed, ShownData
 
-LETTERS_SHARE = 0.021  # height of the letters, in heights of the screen: the speaker reads them
 GAP_PX = 48
 ROW_SHARE = 0.42  # width of a row, in widths of the strip
 USUAL = (FOV_Y.path, NEAR.path)  # the controls of a scene that has none of its own
@@ -61,11 +59,8 @@ class ControlStrip(FittedWidget, QFrame):
         if self._is_old:
             self._fill()
 
-    def set_presenting(self, on: bool, screen_px: float) -> None:
+    def set_presenting(self, on: bool) -> None:
         self._is_for_class, self._wanted = on, None
-        font = QFont(self.font())
-        font.setPixelSize(max(9, round(LETTERS_SHARE * screen_px)))
-        self.setFont(font)
         self._fill()
 
     def toggle(self) -> None:

@@ -1,7 +1,5 @@
 """What cards over the whole window share: how they close, and their keys."""
 
-from collections.abc import Callable
-
 from PySide6.QtCore import QEvent, QObject, Qt, Signal, SignalInstance
 from PySide6.QtGui import QCloseEvent, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QFrame, QGridLayout, QHBoxLayout, QToolButton, QWidget
@@ -45,13 +43,9 @@ class CoverCard(QWidget):
         leave = tool_button("", tip, self.close, icon="close", name=self.tr("Close"), flat=True)
         return in_row(*before, (PlainLabel(text, objectName="cardTitle"), 1), leave)
 
-    def _choose(self, tell: Callable[[str], object], what: str) -> None:
+    def _leave_for(self, wanted: SignalInstance, *what: str) -> None:
         self.close()
-        tell(what)
-
-    def _leave_for(self, wanted: SignalInstance) -> None:
-        self.close()
-        wanted.emit()
+        wanted.emit(*what)
 
     # -- over the window
 

@@ -155,16 +155,15 @@ class EquationSlide(QWidget):
     # -- painting
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        self.cells, self.brackets = [], []
-        if self._problem:
-            flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
-            painter.setPen(self.palette().windowText().color())
-            painter.drawText(self.rect().adjusted(40, 40, -40, -40), flags, self._problem)
-        elif self._laid:
-            self._paint(painter)
-        painter.end()
+        with QPainter(self) as painter:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            self.cells, self.brackets = [], []
+            if self._problem:
+                flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
+                painter.setPen(self.palette().windowText().color())
+                painter.drawText(self.rect().adjusted(40, 40, -40, -40), flags, self._problem)
+            elif self._laid:
+                self._paint(painter)
 
     def _paint(self, painter: QPainter) -> None:
         em, least_px = self.em_in(self.width(), self.height()), LEAST_CELL * self._screen_px

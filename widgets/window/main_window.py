@@ -42,7 +42,7 @@ from widgets.panes.stage_strip import StageStrip
 from widgets.parts import palette
 from widgets.parts.kept_style import KeptStyle
 from widgets.parts.layouts import focus_next, in_column, in_row
-from widgets.parts.messages import MessageBar, all_digits, sentence
+from widgets.parts.messages import MessageBar, sentence
 from widgets.parts.panel import EVERYTHING, Changed, Highlighter, Listener, Panel, ShownData
 from widgets.parts.wording import Wording
 from widgets.window.actions import Actions, take_typed
@@ -326,16 +326,6 @@ class MainWindow(QMainWindow):
     def _show_unsaved(self, why: Refusal) -> None:
         self.messages.show_message(WORDS.say("unsaved", sentence(why)))
 
-    def set_all_digits(self, on: bool) -> None:
-        self.settings.all_digits = on
-        all_digits.set(on)
-
-    def reduce_motion(self, on: bool) -> None:
-        self.settings.reduce_motion = on
-
-    def show_motion(self) -> None:
-        self.menus.reduce_motion.setChecked(not self.transition.is_wanted)
-
     def find_control(self) -> None:
         if self.controls.isHidden():
             self.menus.controls.trigger()
@@ -493,11 +483,9 @@ class MainWindow(QMainWindow):
         self.menus.pointer.setChecked(False)
         self.slide.pen.switch(False)
         self.slide.pen.setVisible(on)
-        self.look.set_presenting(on)
+        self.fit_screen(on)
         self.controls.set_presenting(on)
-        self.comparing.pictures.set_presenting(on, float(self.screen().size().height()))
-        self.control_strip.set_presenting(on, float(self.screen().size().height()))
-        self.slide.equation.set_screen(float(self.screen().size().height()))
+        self.control_strip.set_presenting(on)
         self._body.setContentsMargins(*(NO_MARGINS if on else BODY_MARGINS))
         self._body.setSpacing(0 if on else BODY_GAP_PX)
         self.body.setAutoFillBackground(on)
@@ -512,6 +500,12 @@ class MainWindow(QMainWindow):
             QTimer.singleShot(0, self, partial(self.split.setSizes, shared))
         self.show_beside()
         self.look.set_waiting(False)
+
+    def fit_screen(self, on: bool = True) -> None:
+        """Use sizes for the screen that the class sees, or the ordinary ones."""
+        self.look.set_presenting(on)
+        self.comparing.pictures.set_presenting(on, self.present.screen_px)
+        self.slide.equation.set_screen(self.present.screen_px)
 
     def set_style(self, style: Style) -> None:
         """Give a slide the colour of its pictures' paper."""

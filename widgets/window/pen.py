@@ -150,9 +150,6 @@ class Pen(QWidget):
         if changed:
             self.switched.emit(on)
 
-    def toggle(self) -> None:
-        self.switch(not self.is_on)
-
     def take(self, colour: str) -> None:
         self.colour, self.erases = colour, False
         self._show_bar()
@@ -294,6 +291,5 @@ class Pen(QWidget):
         drawn = [Stroke(self.colour, tuple(self._drawn))] if self._drawn else []
         strokes = [*self.here, *drawn]
         if strokes:
-            painter = QtGui.QPainter(self)
-            paint_strokes(painter, QRectF(self.rect()), strokes, self._style)
-            painter.end()
+            with QtGui.QPainter(self) as painter:
+                paint_strokes(painter, QRectF(self.rect()), strokes, self._style)

@@ -160,10 +160,9 @@ def preview(figure: Figure, room: QSize, tell: ReportProgress) -> QPixmap:
         fitting = QSizeF(*size).scaled(room, Qt.AspectRatioMode.KeepAspectRatio).toSize()
         picture = QImage(fitting, QImage.Format.Format_RGB32)
         picture.fill(Qt.GlobalColor.white)
-        painter = QPainter(picture)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        QSvgRenderer(QByteArray(svg(shapes, size, figure.scene.title))).render(painter)
-        painter.end()
+        with QPainter(picture) as painter:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            QSvgRenderer(QByteArray(svg(shapes, size, figure.scene.title))).render(painter)
         return QPixmap.fromImage(picture)
     width, height = figure.full_size.px
     scale = min(1.0, room.width() / width, room.height() / height)

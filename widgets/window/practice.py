@@ -1,7 +1,6 @@
 """Tests and the dialog of their topics, and reviews of what is due again, on the lesson's card."""
 
 import random
-import time
 from collections.abc import Mapping, Sequence
 from datetime import date, timedelta
 from functools import partial
@@ -134,7 +133,7 @@ class Practice(QObject):
         self._window, self._card, self._record = window, card, record
         self._settings, self._messages = settings, messages
         card.test_left.connect(self._show_kept)
-        card.result_wanted.connect(lambda marks: self.save(of_test(marks, int(time.time()))))
+        card.result_wanted.connect(lambda marks: self.save(of_test(marks)))
 
     # -- tests
 

@@ -7,7 +7,7 @@ Letters, lines and handles are a share of the screen's height, so that the back 
 on every projector.
 """
 
-from PySide6.QtCore import QByteArray, QEvent, QObject, Qt, Signal
+from PySide6.QtCore import QByteArray, QEvent, QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QGuiApplication, QScreen, QWindowStateChangeEvent
 from PySide6.QtWidgets import QApplication, QMainWindow, QToolBar, QWidget
 
@@ -56,7 +56,7 @@ class Present(QObject):
     """
 
     switched = Signal(bool)  # presenting began or ended: text and lines change their size
-    moved = Signal()  # the class sees another screen
+    moved = Signal()  # the class sees another screen, or its screen has another height
     blanked = Signal()  # the screen has become black, or is no longer
     one_screen = Signal()  # there is no other screen to swap with
 
@@ -67,7 +67,7 @@ class Present(QObject):
         self.screens = screens
         self._window, self._tools, self._below = window, tools, below
         self._state = Qt.WindowState.WindowNoState
-        self.is_on = False
+        self.is_on, self.screen_px = False, 0.0  # the height of the class's screen
         self.geometry_before = QByteArray()  # geometry of the ordinary window, while presenting
         self._blank, self._edge = QWidget(window), QWidget(window)
         """What covers the window in black until it is clicked, and the top edge of the window."""
@@ -89,6 +89,7 @@ class Present(QObject):
             self._window.setGeometry(both[0].geometry())
             self._window.windowHandle().setScreen(both[0])
         self._window.setWindowState(self._state | Qt.WindowState.WindowFullScreen)
+        self.screen_px = float(self._window.screen().size().height())
 
     def swap(self) -> None:
         if self.screens.swap():
@@ -191,6 +192,8 @@ class Present(QObject):
                 self.show_tools(False)
         elif kind == QEvent.Type.Resize:
             self._cover()
+            if self._window.screen().size().height() != self.screen_px:  # one was unplugged
+                QTimer.singleShot(0, self, self._move)
         elif (
             isinstance(event, QWindowStateChangeEvent)
             and event.oldState() & Qt.WindowState.WindowFullScreen  # macOS takes a second for it

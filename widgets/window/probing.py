@@ -89,15 +89,14 @@ class Probing(QObject):
         side = math.ceil(RING_SHARE * self._window.screen().size().height() * ratio)
         pixmap = QPixmap(side, side)
         pixmap.fill(Qt.GlobalColor.transparent)
-        painter = QPainter(pixmap)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        colours = self._window.palette()
-        roles = QPalette.ColorRole
-        for role, width in ((roles.WindowText, 0.2), (roles.Highlight, 0.12)):
-            painter.setPen(QPen(colours.color(role), width * side))
-            edge = 0.1 * side
-            painter.drawEllipse(QRectF(pixmap.rect()).adjusted(edge, edge, -edge, -edge))
-        painter.end()
+        with QPainter(pixmap) as painter:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            colours = self._window.palette()
+            roles = QPalette.ColorRole
+            for role, width in ((roles.WindowText, 0.2), (roles.Highlight, 0.12)):
+                painter.setPen(QPen(colours.color(role), width * side))
+                edge = 0.1 * side
+                painter.drawEllipse(QRectF(pixmap.rect()).adjusted(edge, edge, -edge, -edge))
         pixmap.setDevicePixelRatio(ratio)
         return QCursor(pixmap)
 

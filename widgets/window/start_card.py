@@ -81,7 +81,7 @@ class StartCard(CoverCard):
         in_column(head, both, always, on=self.card, margins=(16, 10, 16, 12), gap=6)
 
     def _tile(self, name: str, title: str, *, dark: bool) -> QToolButton:
-        act = partial(self._choose, self.scene_chosen.emit, name)
+        act = partial(self._leave_for, self.scene_chosen, name)
         tile = tool_button(title, title, act, flat=True)
         tile.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextUnderIcon)
         tile.setIconSize(QSize(*THUMBNAIL_PX))
@@ -91,7 +91,7 @@ class StartCard(CoverCard):
         return tile
 
     def _lessons(self, progress: Mapping[str, Progress]) -> Iterator[QToolButton]:
-        choose = partial(self._choose, self.file_chosen.emit)
+        choose = partial(self._leave_for, self.file_chosen)
         yield WORDS.tool("tour", partial(choose, str(TOUR)), icon="play", flat=True)
         for key, are_talks in (("lesson", False), ("present", True)):
             button = WORDS.tool(key, icon=key, flat=True)
@@ -116,7 +116,7 @@ class StartCard(CoverCard):
         act = partial(self._leave_for, self.open_wanted)
         yield WORDS.tool("open", act, icon="open", flat=True)
         for path in recent[:MOST_RECENT]:
-            act = partial(self._choose, self.file_chosen.emit, path)
+            act = partial(self._leave_for, self.file_chosen, path)
             title, icon = _head_of(path)
             tip = path if title == file_title(path) else f"{title} – {path}"
             lines = wrap(title, LINE_LETTERS, max_lines=2, placeholder="…")

@@ -53,7 +53,7 @@ class StatusLine(QStatusBar):
         self.health = _Elided("health")
         self.health.setAccessibleName(WORDS.say("health"))
         self.precision = QToolButton(autoRaise=True)
-        self._show_precisions(self._drawn, 0.0, None)
+        self._show_precisions(0.0)
         self.precision.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self.precision.setMenu(QMenu(self.precision))
         set_tip(self.precision, WORDS.say("precision"))
@@ -139,7 +139,7 @@ class StatusLine(QStatusBar):
         drawing_px = max(found_px)
         self._drawn = "float32" if drawing_px <= tolerance_px else "float64"
         float32_px = max((px for px in found_px if px <= tolerance_px), default=0.0)
-        self._show_precisions(self._drawn, float32_px, self._predictions)
+        self._show_precisions(float32_px)
         self._risks = [
             with_comma(translated(risk.template, "Health").format(*map(plane_name, risk.figures)))
             for risk in risks(
@@ -148,13 +148,9 @@ class StatusLine(QStatusBar):
         ]
         self._show_health()
 
-    def _show_precisions(
-        self,
-        drawn: levels.Precision,
-        float32_px: float,
-        predictions: dict[levels.Precision, levels.Prediction] | None,
-    ) -> None:
+    def _show_precisions(self, float32_px: float) -> None:
         """Show the precisions; `float32_px` bounds the error of what float32 draws."""
+        drawn, predictions = self._drawn, self._predictions
         read = levels.precision_for_reading(predictions)
         text = WORDS.say("precisions", drawn, read)
         if predictions is not None:

@@ -97,6 +97,8 @@ class TalkKeys(QObject):
             return partial(self.speaker.enlarge, larger * NOTES_STEP_PX)
         if QKeySequence(event.keyCombination()) in ways_to_press(AGAIN_KEY):
             return self._again
+        if key == _KEYS.Key_F5 and held == Qt.KeyboardModifier.ShiftModifier and is_of_speaker:
+            return self._present_all
         if held or (is_typed_in() and key not in _IN_FIELDS):
             return None
         if key in _DIGITS:
@@ -121,6 +123,10 @@ class TalkKeys(QObject):
         top = watched.window()
         is_afloat = top is not self.speaker and top.parentWidget() is self._window
         return self._window if is_afloat else top
+
+    def _present_all(self) -> None:
+        self.jump.emit(1)
+        self._present.begin()
 
     def _type(self, digit: str) -> None:
         self._digits = (self._digits + digit)[-MOST_DIGITS:]

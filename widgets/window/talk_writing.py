@@ -6,7 +6,6 @@ from pathlib import Path
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QCheckBox, QDialog, QDialogButtonBox, QLineEdit, QMainWindow, QWidget
 
-from app.document.document import Document
 from app.document.store import Store
 from app.lessons.lesson import Lesson
 from app.lessons.writing import add_step, begin_talk
@@ -32,7 +31,7 @@ class TalkWriter(QObject):
         """Ask for a title, and write the current state into the open file as a new step."""
         lesson = self._lessons.lesson
         if lesson is not None and not self._is_gone(lesson):
-            title = self._ask_title(self.tr("Add this state as a step"), "", self._store.seen)
+            title = self._ask_title(self.tr("Add this state as a step"), "")
             if title is not None:
                 self.write_step(*title)
 
@@ -69,7 +68,7 @@ class TalkWriter(QObject):
         """Ask for a file, and begin a talk there with the current state."""
         kinds, name = self.tr("Talks and lessons (*.md)"), self.tr("A new talk from here")
         path = ask_where(self._window, name, "talk.md", kinds, ".md")
-        title = self._ask_title(name, Path(path).stem, self._store.seen) if path else None
+        title = self._ask_title(name, Path(path).stem) if path else None
         if title is not None:
             self.write_talk(Path(path), *title)
 
@@ -82,8 +81,8 @@ class TalkWriter(QObject):
             return False
         return self._lessons.open(path)
 
-    def _ask_title(self, name: str, title: str, document: Document) -> tuple[str, bool] | None:
-        dialog = TitleDialog(name, title, bool(document.view.panes), self._window)
+    def _ask_title(self, name: str, title: str) -> tuple[str, bool] | None:
+        dialog = TitleDialog(name, title, bool(self._store.seen.view.panes), self._window)
         if dialog.exec() != QDialog.DialogCode.Accepted:
             return None
         return dialog.field.text(), dialog.panes.isChecked()

@@ -130,23 +130,19 @@ class Talks(QObject):
         self._pen.show_step(player.picture)
         self._pose()
         if self.is_on:
-            self._band.set_screen(self._screen_px)
+            self._band.set_screen(self._present.screen_px)
             self._band.show_step(player.step, f"{player.place + 1} / {len(player.lesson.steps)}")
         if self.speaker is not None:
             self.speaker.show_step(player, self._band.laid.left_out if self.is_on else "")
         self.see_later()
         self._ahead.begin_later(draws=self.is_on or self.speaker is not None)
 
-    @property
-    def _screen_px(self) -> float:
-        return float(self._window.screen().size().height())
-
     def _pose(self) -> None:
         """Show the question or its answer, but over no picture that moves."""
         player, text = self._lessons.player, ""
         if player is not None and self.is_on and not self._lessons.is_moving:
             text = player.said(self._answer_of)
-        self._question.show_text(text, self._screen_px)
+        self._question.show_text(text, self._present.screen_px)
 
     # -- the pen
 
@@ -390,11 +386,11 @@ class Talks(QObject):
         self._keys.listen(self.is_on, None)
 
     def bring_back(self) -> None:
-        """Move both windows to an existing screen after one was removed."""
+        """Move all windows to an existing screen after one was removed."""
         screens = [each.geometry() for each in QGuiApplication.screens()]
-        for window in (self._window, self.speaker):
-            handle = window.windowHandle() if window is not None else None
-            if window is None or handle is None or not screens:
+        for window in QApplication.topLevelWidgets():
+            handle = window.windowHandle()
+            if handle is None or not screens:
                 continue
             if not any(each.contains(window.geometry().center()) for each in screens):
                 screen = QGuiApplication.primaryScreen()

@@ -81,7 +81,7 @@ class TradesCard(CoverCard):
             cost, choice = bold
             paid = bargain(results.trades[0].by_cost(cost), choice)
         tile = tool_button(
-            act=partial(self._choose, self.trade_chosen.emit, name), name=title, flat=True
+            act=partial(self._leave_for, self.trade_chosen, name), name=title, flat=True
         )
         given_up = of_measure(GIVEN_UP[name])
         tile.setAccessibleDescription(f"{given_up} {paid}")

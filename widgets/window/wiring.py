@@ -27,8 +27,9 @@ def _wire_components(window: Any) -> None:
     )  # fmt: skip
     look, card, compare = window.look, controls.card, window.comparing.pictures
     probe, measure = window.probe_panel, window.measure_panel
+    settings, reduces = window.settings, menus.reduce_motion
     lettering.set("own")  # it may still belong to another window
-    all_digits.set(window.settings.all_digits)
+    all_digits.set(settings.all_digits)
     menus.show_recent()
     wires: tuple[tuple[Any, ...], ...] = (
         (store.changed, window.show_document),
@@ -60,9 +61,10 @@ def _wire_components(window: Any) -> None:
         (look.built, window.manipulation.leave, compare.set_style),
         (look.built, window.set_style, window.slide.equation.set_style, window.slide.pen.set_style),
         (look.built, window.band.set_style),
-        (menus.all_digits.triggered, window.set_all_digits),
-        (menus.reduce_motion.triggered, window.reduce_motion),
-        (menus.view_menu.aboutToShow, window.show_motion),
+        (menus.all_digits.triggered, lambda on: setattr(settings, "all_digits", on)),
+        (menus.all_digits.triggered, all_digits.set),
+        (reduces.triggered, lambda on: setattr(settings, "reduce_motion", on)),
+        (menus.view_menu.aboutToShow, lambda: reduces.setChecked(not window.transition.is_wanted)),
         (menus.find.triggered, window.find_control),
         (menus.play.triggered, controls.animation.toggle),
         (menus.undo.triggered, window.status.clearMessage),  # it may be what brings changes back
@@ -73,7 +75,7 @@ def _wire_components(window: Any) -> None:
         (menus.present_all.triggered, lambda: window.lessons.go(0), window.present.begin),
         (menus.blank.triggered, window.present.blank),
         (menus.strip.triggered, window.control_strip.toggle),
-        (menus.pen.triggered, window.slide.pen.toggle),
+        (menus.pen.triggered, window.slide.pen.switch),
         (window.slide.pen.switched, menus.pen.setChecked),
         (window.slide.touched, window.control_strip.show_now),
         (compare.drawn, window.slide.question.place),
@@ -86,7 +88,7 @@ def _wire_components(window: Any) -> None:
         (probe.changed, lambda: menus.remove_probe.setEnabled(bool(probe.probes))),
         (window.present.switched, window.show_presenting, window.messages.put_off),
         (window.present.switched, window.laser.listen),
-        (window.present.moved, partial(look.set_presenting, True)),
+        (window.present.moved, window.fit_screen),
         (window.slots.rearranged, window.show_beside),
         (window.files.recent_changed, menus.show_recent),
         (window.pictures.exported, window.show_message),

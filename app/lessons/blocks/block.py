@@ -4,8 +4,6 @@ A kind is a subclass of `Block`, or of `Asked` if the student answers it. Code t
 a lesson uses these methods, whatever the kind.
 """
 
-from __future__ import annotations
-
 import re
 from abc import abstractmethod
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
@@ -113,7 +111,7 @@ class Here(Protocol):
         """Return the numbers with names of their own that an exercise has drawn."""
 
     @property
-    def asked(self) -> Mapping[str, Asked]:
+    def asked(self) -> "Mapping[str, Asked]":
         """Return the step's questions and tasks, by name."""
 
     @property
@@ -126,7 +124,7 @@ class Here(Protocol):
     def quantities(self, now: Document | None = None, view: View | None = None) -> Quantities:
         """Return the quantities of the step's own state, or of the window's current state."""
 
-    def varied(self, state: State | None, given: Mapping[str, float]) -> Here:
+    def varied(self, state: State | None, given: Mapping[str, float]) -> "Here":
         """Return the step in another state of its own, with names for some numbers."""
 
     def idea(self, name: str) -> Idea | None:
@@ -203,10 +201,10 @@ class SpeakerNote(NamedTuple):
 class StepContent:
     """The content of a step, to which each block adds itself."""
 
-    parts: list[ReadBlock] = field(default_factory=list, init=False, compare=False)
+    parts: "list[ReadBlock]" = field(default_factory=list, init=False, compare=False)
     """Everything that the student reads and answers; `words` and `asked` are among them."""
-    words: list[TextBlock] = field(default_factory=list, init=False, compare=False)
-    asked: list[Asked] = field(default_factory=list, init=False, compare=False)
+    words: "list[TextBlock]" = field(default_factory=list, init=False, compare=False)
+    asked: "list[Asked]" = field(default_factory=list, init=False, compare=False)
     samples: list[Sample] = field(default_factory=list, init=False, compare=False)
     state: State | None = field(default=None, init=False, compare=False)
     """None if it shows the previous step's."""
@@ -221,7 +219,7 @@ class Block:
     line: int
 
     @classmethod
-    def read(cls, body: Body) -> Block:
+    def read(cls, body: Body) -> "Block":
         """Read a block; a `Refusal` names the line that is wrong."""
         raise NotImplementedError  # not abstract, or `type[Asked]` could be no key of the views
 
@@ -279,7 +277,7 @@ class Variant(NamedTuple):
 
     seed: int
     numbers: Mapping[str, Fraction]
-    question: Asked
+    question: "Asked"
     here: Here
 
 

@@ -57,8 +57,9 @@ class Choices(Question):
     @classmethod
     def of(cls, body: Body, text: str, items: Items, **more: Any) -> "Choices":
         choices = tuple(map(Choice.read, items.every("choice")))
-        if len(choices) < 2 or sum(each.right for each in choices) != 1:
-            raise refused(body.line, REFUSALS["one-right"])
+        most = len(LETTERS)
+        if not 2 <= len(choices) <= most or sum(each.right for each in choices) != 1:
+            raise refused(body.line, REFUSALS["one-right"], most)
         return cls(**cls.fields(body, text, items), replies=choices, **more)
 
     @property
@@ -99,6 +100,15 @@ class Choices(Question):
         if not number:
             raise refused(line, REFUSALS["a-number-of"], len(self.replies), value=sample)
         return self.mark(here, str(number)).word
+
+    def _clashes(self, *values: Any) -> Iterator[Refusal]:
+        """Yield the refusals of choices with the same text, too."""
+        yield from super()._clashes(*values)
+        lines = dict[str, int]()
+        for each in self.replies:
+            before = lines.setdefault(" ".join(each.text.split()), each.line)
+            if before != each.line:
+                yield refused(each.line, REFUSALS["same-choice"], before, value=each.text)
 
     def posed(self) -> str:
         return self._listed(lambda _each: True, "")

@@ -112,6 +112,8 @@ class Reply:
         if self.idea and here.idea(self.idea) is None and not self.says:
             near = difflib.get_close_matches(self.idea, here.idea_names, n=1, cutoff=0.0)[0]
             trial.add_fault(refused(self.line, REFUSALS["no-idea"], near, value=self.idea))
+        if self.right and self.idea:
+            trial.add_fault(refused(self.line, REFUSALS["idea-of-right"], value=self.idea))
         if not (self.right or self.idea or self.says):
             trial.add_fault(refused(self.line, REFUSALS["no-reply"]))
         if self.state is not None:

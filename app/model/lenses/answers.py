@@ -1,7 +1,5 @@
 """The types that lenses return: windows, axes, angles, intrinsics, exact numbers."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from fractions import Fraction
 from typing import NamedTuple, TypeAlias
@@ -19,7 +17,7 @@ class Axis(NamedTuple):
     extent: float
 
     @classmethod
-    def between(cls, low: Fraction, high: Fraction) -> Axis:
+    def between(cls, low: Fraction, high: Fraction) -> "Axis":
         """From the two sides of a window before they are rounded."""
         return cls(float((low + high) / 2), float(high - low))
 

@@ -1,7 +1,5 @@
 """Lenses whose projectors meet in the eye: w is the distance, and the divide is real."""
 
-from __future__ import annotations
-
 import math
 from abc import abstractmethod
 from collections.abc import Iterator, Sequence

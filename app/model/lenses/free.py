@@ -4,8 +4,6 @@ It has no eye plane: near and far are faces of the NDC cube, and w may have any 
 matrix may be typed as well.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
@@ -72,7 +70,7 @@ class FreeMatrix(Lens):
     def planes(self) -> None:
         return None
 
-    def in_depth_range(self, old: tuple[float, float], new: tuple[float, float]) -> FreeMatrix:
+    def in_depth_range(self, old: tuple[float, float], new: tuple[float, float]) -> "FreeMatrix":
         old_near, old_far = map(Fraction, old)
         new_near, new_far = map(Fraction, new)
         scale = (new_far - new_near) / (old_far - old_near)

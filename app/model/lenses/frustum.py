@@ -1,7 +1,5 @@
 """The perspective lens with an arbitrary window: glFrustum, lecture 002's H before the scale."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -43,5 +41,5 @@ class Frustum(Central, Windowed):
             within(name, side, -limit, limit)
 
     @classmethod
-    def with_window(cls, window: Window, near: float, far: float, keep: Keep) -> Frustum:
+    def with_window(cls, window: Window, near: float, far: float, keep: Keep) -> "Frustum":
         return cls(*window, near, far, keep)

@@ -6,8 +6,6 @@ matrix derives from `Lens` alone. No other package tests the kind of a lens: len
 their numbers and methods here.
 """
 
-from __future__ import annotations
-
 import math
 from abc import abstractmethod
 from collections.abc import Iterator, Mapping, Sequence
@@ -44,7 +42,7 @@ class LensTable:
     clip_from_view: Table
     """The product of all steps in closed form, in the order of operations that keeps the digits."""
     view_from_clip: Table | None = None  # its inverse in closed form
-    otherwise: Mapping[str, LensTable] = field(default_factory=dict)
+    otherwise: "Mapping[str, LensTable]" = field(default_factory=dict)
     """The table of the same lens after another choice of a field: ``far``, finite again."""
     fields: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     """By letter, the fields of the document that only this lens has."""
@@ -61,7 +59,7 @@ FAR = _plane("far", letter="f", formula="far", handle="far")
 class Seen(NamedTuple):
     """What another lens shows: the window on its near plane, and the distance of the target."""
 
-    lens: Lens
+    lens: "Lens"
     window: Window
     distance: float
 
@@ -196,23 +194,23 @@ class Lens(Geometry):
     # -- other lenses
 
     @property
-    def former(self) -> Lens:
+    def former(self) -> "Lens":
         """The lens from which another kind is chosen; a typed matrix returns its previous lens."""
         return self
 
-    def replaced(self, **fields: Any) -> Lens:
+    def replaced(self, **fields: Any) -> "Lens":
         return cast(Lens, replace(cast(Any, self), **fields))
 
-    def cut(self, window: Window, near: float, far: float) -> Lens:
+    def cut(self, window: Window, near: float, far: float) -> "Lens":
         """The same view volume between other planes; `window` is on the present near plane."""
         near, far = self.checked_planes(near, far)
         return self.replaced(near=near, far=far)
 
-    def dollied(self, window: Window, factor: float) -> Lens:
+    def dollied(self, window: Window, factor: float) -> "Lens":
         """Return the lens that shows the target equally large from `factor` times the distance."""
         return self
 
-    def in_depth_range(self, old: tuple[float, float], new: tuple[float, float]) -> Lens:
+    def in_depth_range(self, old: tuple[float, float], new: tuple[float, float]) -> "Lens":
         """Return the lens with the same view volume for another NDC z of near and far.
 
         Only a typed matrix changes: its cells are those of one depth range.
@@ -221,13 +219,13 @@ class Lens(Geometry):
 
     @classmethod
     @abstractmethod
-    def showing(cls, seen: Seen) -> Lens:
+    def showing(cls, seen: Seen) -> "Lens":
         """Return the lens of this kind whose picture is most similar to that of another lens."""
 
     @classmethod
     def solutions_for(
-        cls, cells: Rationals, near: float, far: float, in_hand: Lens
-    ) -> Iterator[Lens]:
+        cls, cells: Rationals, near: float, far: float, in_hand: "Lens"
+    ) -> "Iterator[Lens]":
         """Yield lenses of this kind that may have a matrix, those with the present fields first.
 
         The last row of `cells` is that of the kind's table; the third row belongs to near and far.
@@ -283,10 +281,10 @@ class Windowed(Lens):
 
     window_stays: ClassVar[bool] = True
 
-    left: float
-    right: float
-    bottom: float
-    top: float
+    left: float = -4.0
+    right: float = 4.0
+    bottom: float = -4.0
+    top: float = 4.0
     near: float = 1.0
     far: float = 30.0
     keep: Keep = "stretch"

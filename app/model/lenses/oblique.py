@@ -1,7 +1,5 @@
 """The oblique parallel lens: lecture 002's ``P_obl = P_ort H``."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -52,10 +50,6 @@ class Oblique(Parallel, Windowed):
     parameters: ClassVar[tuple[Parameter, ...]] = (ALPHA, BETA)
     shape: ClassVar[str] = QT_TRANSLATE_NOOP("phenomena", "oblique box")
 
-    left: float = -4.0
-    right: float = 4.0
-    bottom: float = -4.0
-    top: float = 4.0
     alpha_deg: float = 109.47122063449069  # cabinet, receding at 45 degrees
     beta_deg: float = 109.47122063449069
 

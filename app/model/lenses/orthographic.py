@@ -3,8 +3,6 @@
 Their projectors are parallel: w is 1, and depth is linear in the distance.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -140,10 +138,5 @@ class Orthographic(Parallel, Windowed):
 
     kind: ClassVar[str] = "orthographic"
     tables: ClassVar[tuple[LensTable, ...]] = (TABLE,)
-
-    left: float = -4.0
-    right: float = 4.0
-    bottom: float = -4.0
-    top: float = 4.0
 
     cut = Lens.cut  # the window is the same on every plane

@@ -3,8 +3,6 @@
 The canonical volumes and M_pp are lecture 001's, the matrix is equation (13) of lecture 000.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -139,7 +137,7 @@ class Perspective(Central):
         return -right, right, -top, top
 
     @classmethod
-    def with_window(cls, window: Window, near: float, far: float, keep: Keep) -> Perspective:
+    def with_window(cls, window: Window, near: float, far: float, keep: Keep) -> "Perspective":
         _, _, bottom, top = window
         return cls(fov_y_from_window((top - bottom) / 2.0, near), near, far)
 
@@ -154,7 +152,7 @@ class Perspective(Central):
     def section(self, aspect: Fraction) -> Fraction:
         return 4 * Fraction(float(aspect)) / Fraction(self.cot_half_fov_y) ** 2
 
-    def dollied(self, window: Window, factor: float) -> Perspective:
+    def dollied(self, window: Window, factor: float) -> "Perspective":
         fov_y_deg = math.degrees(2.0 * math.atan2(1.0, factor * self.cot_half_fov_y))
         return replace(self, fov_y_deg=fov_y_deg)
 
@@ -171,7 +169,7 @@ class Perspective(Central):
         return (scale_x * x, scale_y * y), (scale_x * (x / w), scale_y * (y / w))
 
     @classmethod
-    def solved(cls, cells: Rationals, near: float, far: float) -> Perspective:
+    def solved(cls, cells: Rationals, near: float, far: float) -> "Perspective":
         return cls(_fov_y_deg(cells[1][1]), near, far)
 
     def exact_letters(self, aspect: Fraction) -> dict[str, Fraction]:

@@ -108,11 +108,6 @@ def hardware_of(settings: Settings) -> Hardware:
     return Hardware(*(table[str(settings[name])] for name, table in _TABLES.items()))
 
 
-def origin_of(settings: Settings) -> Vector:
-    """The world point from which vertices are measured: the world's origin, as it is chosen."""
-    return (-number(settings, "origin") if settings["preset"] == "far" else 0.0, 0.0, 0.0)
-
-
 class VertexErrors(NamedTuple):
     """The errors of vertices as a kind of hardware draws them; NaN where it finds no number.
 
@@ -151,7 +146,8 @@ def moved(projection: Projection, trace: Trace, px: Array) -> Array:
 
 def _show(projection: Projection, settings: Settings, subject: Subject) -> Illustration:
     points = _own()[0]
-    hardware, origin = hardware_of(settings), origin_of(settings)
+    hardware, is_far = hardware_of(settings), settings["preset"] == "far"
+    origin = (-number(settings, "origin") if is_far else 0.0, 0.0, 0.0)
     trace = projection.trace(points)
     formats = tuple(dict.fromkeys((hardware.vertices, *_COMPARED)))
     results, here = drawn(projection, trace, hardware, formats, origin), seen(trace)

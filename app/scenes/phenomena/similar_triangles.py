@@ -14,22 +14,8 @@ from app.model.parameter import Settings, number, point
 from app.model.projection import Array, Projection
 from app.model.refusal import REFUSALS, Refusal
 from app.precision.levels import trace as traced
+from app.scenes.phenomena import marks
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
-from app.scenes.phenomena.marks import (
-    Copy,
-    Dot,
-    Face,
-    Grip,
-    Length,
-    Mark,
-    Marks,
-    Polyline,
-    dash_dot,
-    named,
-    plate,
-    right_angle,
-    segment,
-)
 from app.scenes.phenomena.picture import grip_of_plane, section, seen, world_from_view
 from app.scenes.phenomena.words import PhenomenonWords, Reading
 
@@ -88,7 +74,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     def at(x: float, y: float, z: float) -> Array:
         return world_from_view(projection, (x, y, z))
 
-    world: list[Mark] = [plate(section(projection, distance), "near", 1.5, 0.14, _OF_D)]
+    world: list[marks.Mark] = [marks.plate(section(projection, distance), "near", 1.5, 0.14, _OF_D)]
     depths = -projection.trace(subject.points).view[:, 2]
     nearest = float(depths[depths > 0.0].min(initial=math.inf))
 
@@ -96,33 +82,35 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     x, y, z = traced(projection, place, "exact").view.tolist()  # 0 for a point on the axis
     w = -z + 0.0
     x_p, y_p = (distance * x / w, distance * y / w) if w > 0.0 else (None, None)
-    lengths: tuple[Length, ...] = ()
+    lengths: tuple[marks.Length, ...] = ()
     if x_p is not None and y_p is not None:
         hit, foot, axis = at(x_p, y_p, -distance), at(0.0, 0.0, -distance), at(0.0, 0.0, z)
         # The two triangles: from the eye along the axis, across to the point, and back.
         reach = max(w, distance, w - distance)
         side = min(_SQUARE * reach, *(0.4 * math.hypot(*way) for way in ((x, y), (x_p, y_p))))
         world += [
-            *dash_dot(eye, at(0.0, 0.0, -1.25 * max(w, distance)), 0.1 * reach, "muted", 0.75),
-            Face(np.array([eye, axis, place]), "accent", 0.16),
-            Face(np.array([eye, foot, hit]), "accent", 0.4),
-            segment(foot, eye, "muted", 0.5, _OF_D),
-            segment(eye, axis, "muted", 0.5, _OF_DEPTH),
-            right_angle(axis, eye, place, side),
-            right_angle(foot, eye, hit, side),
-            segment(axis, place, "accent", 2.5, _OF_POINT),
-            Polyline(_through(eye, place, hit, distance, w), "ink", 1.0),
-            segment(foot, hit, "accent", 2.5, _OF_IMAGE),
-            Dot(eye, "eye", 1.5),
-            named("P", place, size=1.6),
-            named("P'", hit, size=1.6),
+            *marks.dash_dot(
+                eye, at(0.0, 0.0, -1.25 * max(w, distance)), 0.1 * reach, "muted", 0.75
+            ),
+            marks.Face(np.array([eye, axis, place]), "accent", 0.16),
+            marks.Face(np.array([eye, foot, hit]), "accent", 0.4),
+            marks.segment(foot, eye, "muted", 0.5, _OF_D),
+            marks.segment(eye, axis, "muted", 0.5, _OF_DEPTH),
+            marks.right_angle(axis, eye, place, side),
+            marks.right_angle(foot, eye, hit, side),
+            marks.segment(axis, place, "accent", 2.5, _OF_POINT),
+            marks.Polyline(_through(eye, place, hit, distance, w), "ink", 1.0),
+            marks.segment(foot, hit, "accent", 2.5, _OF_IMAGE),
+            marks.Dot(eye, "eye", 1.5),
+            marks.named("P", place, size=1.6),
+            marks.named("P'", hit, size=1.6),
         ]
         nearest = min(nearest, w)
         lengths = (
-            Length("side", "y", y, axis, at(0.0, y, z)),
-            Length("side", "y_p", y_p, foot, at(0.0, y_p, -distance)),
-            Length("top", "x", x, axis, at(x, 0.0, z)),
-            Length("top", "x_p", x_p, foot, at(x_p, 0.0, -distance)),
+            marks.Length("side", "y", y, axis, at(0.0, y, z)),
+            marks.Length("side", "y_p", y_p, foot, at(0.0, y_p, -distance)),
+            marks.Length("top", "x", x, axis, at(x, 0.0, z)),
+            marks.Length("top", "x_p", x_p, foot, at(x_p, 0.0, -distance)),
         )
     note = WORDS.phrase("behind") if x_p is None else None
     matrix = lecture_matrix(distance)
@@ -143,12 +131,12 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     here = bool(seen(trace))
     return Illustration(
         readings,
-        world=Marks.of(*world),
-        ndc=named("P", trace.ndc) if here else Marks(),
-        image=named("P", trace.image) if here else Marks(),
-        copies=(Copy(onto_plane(projection, distance, slab)),),
+        world=marks.Marks.of(*world),
+        ndc=marks.named("P", trace.ndc) if here else marks.Marks(),
+        image=marks.named("P", trace.image) if here else marks.Marks(),
+        copies=(marks.Copy(onto_plane(projection, distance, slab)),),
         grips=(
-            Grip("point", place, name="P"),
+            marks.Grip("point", place, name="P"),
             grip_of_plane(projection, "distance", distance, distance, "d", "near"),
         ),
         lengths=lengths,

@@ -22,19 +22,8 @@ from app.model.limits import vector
 from app.model.parameter import ImpliedSettings, Settings, number, point
 from app.model.projection import Array, Camera, Projection
 from app.model.refusal import REFUSALS, Refusal
+from app.scenes.phenomena import marks
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
-from app.scenes.phenomena.marks import (
-    Aperture,
-    Eyes,
-    Grip,
-    Mark,
-    Marks,
-    Rendering,
-    Text,
-    named,
-    plate,
-    segment,
-)
 from app.scenes.phenomena.picture import grip_of_plane, section
 from app.scenes.phenomena.words import PhenomenonWords, Reading
 from app.scenes.shapes import SIDE_RGB, Coloured, box_faces, edges_of, ground_grid, joined, letter_f
@@ -44,16 +33,16 @@ WORDS = PhenomenonWords("two-eyes")
 _NAMES, _COLOURS, _IMAGES = ("left-eye", "right-eye"), ("u", "n"), ("P_l", "P_r")
 
 
-def eyes_of(projection: Projection, settings: Settings) -> Eyes:
+def eyes_of(projection: Projection, settings: Settings) -> marks.Eyes:
     """Return what both eyes see. Raises a `Refusal` if no camera and lens do that."""
     camera = projection.camera
-    window = Aperture(number(settings, "separation") / 2.0, camera.distance)
+    window = marks.Aperture(number(settings, "separation") / 2.0, camera.distance)
     left, right = (window.seen_from(projection, side, 0.0) for side in (-1.0, 1.0))
     if settings["cameras"] == "toed-in":
         up = vector(camera.frame[1])
         turned = (Camera(each.camera.eye, camera.target, up) for each in (left, right))
         left, right = (replace(projection, camera=each) for each in turned)
-    return Eyes(left, right, str(settings["pictures"]))
+    return marks.Eyes(left, right, str(settings["pictures"]))
 
 
 def _geometry() -> tuple[Coloured, Coloured]:
@@ -105,37 +94,37 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illu
         ),
         world=_world_marks(screen, eyes, place),
         image=_image_marks(projection, eyes, pixels[:, 0]),
-        rendering=Rendering(eyes=eyes),
+        rendering=marks.Rendering(eyes=eyes),
         warning=WORDS.phrase("before-near") if distance < projection.lens.near else None,
         grips=(
-            Grip("point", place, name="P"),
+            marks.Grip("point", place, name="P"),
             grip_of_plane(projection, "screen", distance, distance, "screen", "accent"),
-            Grip("separation", eye + half * u, eye, vector(u / 2.0), "right-eye", "n"),
+            marks.Grip("separation", eye + half * u, eye, vector(u / 2.0), "right-eye", "n"),
         ),
     )
 
 
-def _world_marks(screen: Array, eyes: Eyes, place: Array) -> Marks:
+def _world_marks(screen: Array, eyes: marks.Eyes, place: Array) -> marks.Marks:
     """The screen plane, both eyes with their frusta up to it, and the projectors of P."""
-    marks: list[Mark] = [plate(screen, "accent", 1.5, 0.14, (), "screen")]
-    marks.append(Text("screen", screen[3], "accent", text=WORDS["screen"]))
+    parts: list[marks.Mark] = [marks.plate(screen, "accent", 1.5, 0.14, (), "screen")]
+    parts.append(marks.Text("screen", screen[3], "accent", text=WORDS["screen"]))
     each = zip(_NAMES, _IMAGES, _COLOURS, (eyes.left, eyes.right), strict=True)
     for name, image, colour, seen in each:
         eye, reach = np.array(seen.camera.eye), seen.camera.distance
         window = section(seen, reach)
-        marks += [segment(eye, corner, colour, 0.5) for corner in window]
+        parts += [marks.segment(eye, corner, colour, 0.5) for corner in window]
         if not np.allclose(window, screen):
-            marks.append(plate(window, colour, 1.0, 0.05))
-        marks.append(named(name, eye, colour, 1.6, WORDS[name]))
+            parts.append(marks.plate(window, colour, 1.0, 0.05))
+        parts.append(marks.named(name, eye, colour, 1.6, WORDS[name]))
         away = -float(seen.trace(place).view[2])
         if away > 1e-9 * reach:  # or the projector meets the plane nowhere, or far out
             hit = eye + (place - eye) * (reach / away)
-            marks.append(segment(eye, place if away > reach else hit, colour, 1.5))
-            marks.append(named(image, hit, colour))
-    return Marks.of(*marks, named("P", place, size=1.6))
+            parts.append(marks.segment(eye, place if away > reach else hit, colour, 1.5))
+            parts.append(marks.named(image, hit, colour))
+    return marks.Marks.of(*parts, marks.named("P", place, size=1.6))
 
 
-def _image_marks(projection: Projection, eyes: Eyes, pixels: Array) -> Marks:
+def _image_marks(projection: Projection, eyes: marks.Eyes, pixels: Array) -> marks.Marks:
     """P in both pictures, and how far apart or how unlike in height it is there."""
     (width, height), shares = projection.image_size, np.array(eyes.shares)
     beside, middles = bool(shares.any()), width * (0.5 + shares)
@@ -143,20 +132,20 @@ def _image_marks(projection: Projection, eyes: Eyes, pixels: Array) -> Marks:
     x, y = places.T
     inside = np.abs(x - middles) <= width * (0.25 if beside else 0.5)
     inside &= (y >= 0.0) & (y <= height)
-    marks: list[Mark] = []
+    parts: list[marks.Mark] = []
     if beside:
-        marks.append(segment((width / 2.0, 0.0), (width / 2.0, height), "ink", 1.0))
+        parts.append(marks.segment((width / 2.0, 0.0), (width / 2.0, height), "ink", 1.0))
     if inside.all():
         ends = ((0.0, y[0]), (width, y[0])) if beside else places
-        marks.append(segment(ends[0], ends[1], "muted", 0.75))
+        parts.append(marks.segment(ends[0], ends[1], "muted", 0.75))
     each = zip(_NAMES, _IMAGES, _COLOURS, places, middles, inside, strict=True)
     for name, image, colour, place, middle, is_seen in each:
         if beside:
             top = np.array([middle, 0.0])
-            marks.append(Text(name, top, colour, text=WORDS[name], is_title=True))
+            parts.append(marks.Text(name, top, colour, text=WORDS[name], is_title=True))
         if is_seen:
-            marks.append(named(image, place, colour))
-    return Marks.of(*marks)
+            parts.append(marks.named(image, place, colour))
+    return marks.Marks.of(*parts)
 
 
 PHENOMENON = Phenomenon.of(

@@ -51,10 +51,9 @@ class _ChoiceButton(QWidget):
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
         if self.button.hasFocus():
-            painter = QPainter(self)
-            painter.setPen(QPen(self.palette().highlight().color(), 1))
-            painter.drawRoundedRect(self.rect().adjusted(0, 0, -1, -1), 3, 3)
-            painter.end()
+            with QPainter(self) as painter:
+                painter.setPen(QPen(self.palette().highlight().color(), 1))
+                painter.drawRoundedRect(self.rect().adjusted(0, 0, -1, -1), 3, 3)
 
 
 class ChoiceView(BlockView):

@@ -56,10 +56,9 @@ class _Brackets(QWidget):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
-        painter = QPainter(self)
-        painter.setPen(QPen(self.palette().text().color(), 1.6))
-        paint_brackets(painter, QRectF(self.rect()).adjusted(1, 1, -3, -3), _BRACKET_PX)
-        painter.end()
+        with QPainter(self) as painter:
+            painter.setPen(QPen(self.palette().text().color(), 1.6))
+            paint_brackets(painter, QRectF(self.rect()).adjusted(1, 1, -3, -3), _BRACKET_PX)
 
 
 class MatrixAnswerView(MarkedAnswerView):
