@@ -18,7 +18,8 @@ from app.lecture.equation_form import laid_out
 from app.lecture.titles import stage_title
 from app.lessons import marking
 from app.lessons.contents import contained
-from app.lessons.practice import Waiting
+from app.lessons.practice import Waiting, exercises_of, topics
+from app.lessons.record import Attempt
 from app.model.projection import Perspective
 from app.model.refusal import REFUSALS, Refusal
 from app.scenes.scene import BUILT_IN
@@ -208,6 +209,35 @@ def test_another_language_keeps_what_is_compared(
     assert pictures[0].held.projection.lens.near == near
     assert second.store.document.projection.lens.near == near / 2
     assert second.menus.compare.isChecked()
+
+
+@pytest.mark.undrawn
+@pytest.mark.parametrize("is_test", [True, False])
+def test_another_language_goes_on_with_a_test_or_a_review(
+    is_test: bool, speak: Any, make_window: MakeWindow
+) -> None:
+    window = make_window()
+    if is_test:
+        window.practice.begin_test(["L3"], 4)
+        window.lesson_card.go_to(1)
+    else:
+        lesson, exercise = next(exercises_of(topics()["L3"])).key
+        window.record.add(Attempt(1_700_000_000, lesson, exercise, 1, "1", "wrong"))
+        window.practice.review()
+    before = window.lessons.player
+    assert before is not None and before.sheet is not None
+    window.choose_language("hr")
+    assert window.work_left is not None
+    speak("hr")
+    second = make_window(window.work_left.document)
+    second.go_on(window.work_left)
+    player = second.lessons.player
+    assert player is not None and player.sheet is not None and not second.messages.text
+    assert (player.is_test, player.place) == (is_test, before.place)
+    assert player.lesson.title == ("Test 4: L3" if is_test else "Ponavljanje")
+    for now, then in zip(player.sheet.items, before.sheet.items, strict=True):
+        assert now.variant.seed == then.variant.seed
+        assert now.variant.question.text != then.variant.question.text
 
 
 @pytest.mark.undrawn
