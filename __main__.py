@@ -1,7 +1,5 @@
 """Start the program by the path of this folder: ``python3 PATH``."""
 
-from __future__ import annotations
-
 import sys
 
 from app.__main__ import main

@@ -2778,8 +2778,8 @@
         <translation>Tähtede kõrgus punktides</translation>
     </message>
     <message>
-        <source>The file&apos;s format; SVG, PDF and TEX (TikZ) have shapes and text, no pixels. Moving pictures and many at once: the command “export”</source>
-        <translation>Faili vorming; SVG, PDF ja TEX (TikZ) koosnevad kujunditest ja tekstist, mitte pikslitest. Liikuvad pildid ja palju pilte korraga: käsk „export“</translation>
+        <source>The file&apos;s format; SVG, PDF and TEX (TikZ) have shapes and text, no pixels. Films and many at once: the command “export”</source>
+        <translation>Faili vorming; SVG, PDF ja TEX (TikZ) koosnevad kujunditest ja tekstist, mitte pikslitest. Filmid ja palju pilte korraga: käsk „export“</translation>
     </message>
     <message>
         <source>&amp;Format</source>
@@ -6372,20 +6372,20 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>joonista joonis PNG-, SVG-, PDF-, TikZ- või HTML-failina, ilma akna ja ekraanita</translation>
     </message>
     <message>
-        <source>draw a moving picture: a value of --set changes from FIRST to LAST; may be repeated for values that change together</source>
-        <translation>joonista liikuv pilt: valiku --set väärtus muutub väärtusest FIRST väärtuseni LAST; võib korrata koos muutuvate väärtuste jaoks</translation>
+        <source>draw a film: a value of --set changes from FIRST to LAST; may be repeated for values that change together</source>
+        <translation>joonista film: valiku --set väärtus muutub väärtusest FIRST väärtuseni LAST; võib korrata koos muutuvate väärtuste jaoks</translation>
     </message>
     <message>
-        <source>draw a moving picture: how --step follows from the step before</source>
-        <translation>joonista liikuv pilt: kuidas --step eelmisest sammust järgneb</translation>
+        <source>draw a film: how --step follows from the step before</source>
+        <translation>joonista film: kuidas --step eelmisest sammust järgneb</translation>
     </message>
     <message>
-        <source>draw a moving picture: the ndc pane goes from the world through all stages to the image, and back</source>
-        <translation>joonista liikuv pilt: ndc paan läheb maailmast läbi kõigi etappide pildini ja tagasi</translation>
+        <source>draw a film: the ndc pane goes from the world through all stages to the image, and back</source>
+        <translation>joonista film: ndc paan läheb maailmast läbi kõigi etappide pildini ja tagasi</translation>
     </message>
     <message>
-        <source>draw a moving picture: the world is seen from all round, or as far round as DEGREES say, and back; the camera stays where it is</source>
-        <translation>joonista liikuv pilt: maailma nähakse igast küljest, või nii palju ringi, kui ütleb DEGREES, ja tagasi; kaamera jääb oma kohale</translation>
+        <source>draw a film: the world is seen from all round, or as far round as DEGREES say, and back; the camera stays where it is</source>
+        <translation>joonista film: maailma nähakse igast küljest, või nii palju ringi, kui ütleb DEGREES, ja tagasi; kaamera jääb oma kohale</translation>
     </message>
     <message>
         <source>draw all results; FILE as for --json, ending in .png, or in .svg or .pdf for vectors</source>
@@ -6520,16 +6520,16 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>valikul --wheels; võib korrata (vaikimisi: kõik)</translation>
     </message>
     <message>
-        <source>of a moving picture: from the last frame to the first, not at all, or there and back in all frames together (default: repeat for --sweep and all round, once for --transition and numbered files, else back-and-forth)</source>
-        <translation>liikuval pildil: viimasest kaadrist esimesse, üldse mitte, või kõigi kaadrite jooksul kokku edasi ja tagasi (vaikimisi: repeat valikul --sweep ja täisringil, once valikul --transition ja nummerdatud failidel, muidu back-and-forth)</translation>
+        <source>of a film: from the last frame to the first, not at all, or there and back in all frames together (default: repeat for --sweep and all round, once for --transition and numbered files, else back-and-forth)</source>
+        <translation>filmil: viimasest kaadrist esimesse, üldse mitte, või kõigi kaadrite jooksul kokku edasi ja tagasi (vaikimisi: repeat valikul --sweep ja täisringil, once valikul --transition ja nummerdatud failidel, muidu back-and-forth)</translation>
     </message>
     <message>
-        <source>of a moving picture: how many frames (default: 48; of --stages 120, of --transition 24; in .html 21)</source>
-        <translation>liikuval pildil: mitu kaadrit (vaikimisi: 48; valikul --stages 120, valikul --transition 24; .html-failis 21)</translation>
+        <source>of a film: how many frames (default: 48; of --stages 120, of --transition 24; in .html 21)</source>
+        <translation>filmil: mitu kaadrit (vaikimisi: 48; valikul --stages 120, valikul --transition 24; .html-failis 21)</translation>
     </message>
     <message>
-        <source>of a moving picture: how many frames a second (default: 25)</source>
-        <translation>liikuval pildil: mitu kaadrit sekundis (vaikimisi: 25)</translation>
+        <source>of a film: how many frames a second (default: 25)</source>
+        <translation>filmil: mitu kaadrit sekundis (vaikimisi: 25)</translation>
     </message>
     <message>
         <source>of check and print: letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the lesson&apos;s)</source>

@@ -2793,8 +2793,8 @@
         <translation>Висина слова у тачкама</translation>
     </message>
     <message>
-        <source>The file&apos;s format; SVG, PDF and TEX (TikZ) have shapes and text, no pixels. Moving pictures and many at once: the command “export”</source>
-        <translation>Формат датотеке; SVG, PDF и TEX (TikZ) имају облике и текст, без пиксела. Покретне слике и више слика одједном: наредба „export”</translation>
+        <source>The file&apos;s format; SVG, PDF and TEX (TikZ) have shapes and text, no pixels. Films and many at once: the command “export”</source>
+        <translation>Формат датотеке; SVG, PDF и TEX (TikZ) имају облике и текст, без пиксела. Филмови и више слика одједном: наредба „export”</translation>
     </message>
     <message>
         <source>&amp;Format</source>
@@ -6387,20 +6387,20 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>нацртај цртеж као PNG, SVG, PDF, TikZ или HTML, без прозора и екрана</translation>
     </message>
     <message>
-        <source>draw a moving picture: a value of --set changes from FIRST to LAST; may be repeated for values that change together</source>
-        <translation>нацртај покретну слику: вредност из --set мења се од FIRST до LAST; може да се понови за вредности које се мењају заједно</translation>
+        <source>draw a film: a value of --set changes from FIRST to LAST; may be repeated for values that change together</source>
+        <translation>нацртај филм: вредност из --set мења се од FIRST до LAST; може да се понови за вредности које се мењају заједно</translation>
     </message>
     <message>
-        <source>draw a moving picture: how --step follows from the step before</source>
-        <translation>нацртај покретну слику: како --step следи из претходног корака</translation>
+        <source>draw a film: how --step follows from the step before</source>
+        <translation>нацртај филм: како --step следи из претходног корака</translation>
     </message>
     <message>
-        <source>draw a moving picture: the ndc pane goes from the world through all stages to the image, and back</source>
-        <translation>нацртај покретну слику: приказ ndc иде од света кроз све фазе до слике, и назад</translation>
+        <source>draw a film: the ndc pane goes from the world through all stages to the image, and back</source>
+        <translation>нацртај филм: приказ ndc иде од света кроз све фазе до слике, и назад</translation>
     </message>
     <message>
-        <source>draw a moving picture: the world is seen from all round, or as far round as DEGREES say, and back; the camera stays where it is</source>
-        <translation>нацртај покретну слику: свет се види са свих страна, или унаоколо колико каже DEGREES, и назад; камера остаје где јесте</translation>
+        <source>draw a film: the world is seen from all round, or as far round as DEGREES say, and back; the camera stays where it is</source>
+        <translation>нацртај филм: свет се види са свих страна, или унаоколо колико каже DEGREES, и назад; камера остаје где јесте</translation>
     </message>
     <message>
         <source>draw all results; FILE as for --json, ending in .png, or in .svg or .pdf for vectors</source>
@@ -6535,16 +6535,16 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>уз --wheels; може да се понови (подразумевано: све)</translation>
     </message>
     <message>
-        <source>of a moving picture: from the last frame to the first, not at all, or there and back in all frames together (default: repeat for --sweep and all round, once for --transition and numbered files, else back-and-forth)</source>
-        <translation>за покретну слику: од последњег кадра на први, без понављања, или тамо и назад укупно у свим кадровима (подразумевано: repeat за --sweep и кружење, once за --transition и нумерисане датотеке, иначе back-and-forth)</translation>
+        <source>of a film: from the last frame to the first, not at all, or there and back in all frames together (default: repeat for --sweep and all round, once for --transition and numbered files, else back-and-forth)</source>
+        <translation>за филм: од последњег кадра на први, без понављања, или тамо и назад укупно у свим кадровима (подразумевано: repeat за --sweep и кружење, once за --transition и нумерисане датотеке, иначе back-and-forth)</translation>
     </message>
     <message>
-        <source>of a moving picture: how many frames (default: 48; of --stages 120, of --transition 24; in .html 21)</source>
-        <translation>за покретну слику: колико кадрова (подразумевано: 48; за --stages 120, за --transition 24; у .html 21)</translation>
+        <source>of a film: how many frames (default: 48; of --stages 120, of --transition 24; in .html 21)</source>
+        <translation>за филм: колико кадрова (подразумевано: 48; за --stages 120, за --transition 24; у .html 21)</translation>
     </message>
     <message>
-        <source>of a moving picture: how many frames a second (default: 25)</source>
-        <translation>за покретну слику: колико кадрова у секунди (подразумевано: 25)</translation>
+        <source>of a film: how many frames a second (default: 25)</source>
+        <translation>за филм: колико кадрова у секунди (подразумевано: 25)</translation>
     </message>
     <message>
         <source>of check and print: letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the lesson&apos;s)</source>

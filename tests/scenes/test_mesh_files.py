@@ -170,7 +170,7 @@ def test_names_may_have_capital_endings_and_any_letters(tmp_path: Path) -> None:
         "f 1/1 2/2 3/3", "f 1/9 2/2 3/3", "f 1//9 2//9 3//9", "f 1// 2// 3//", "f 1/1/ 2/2/ 3/3/",
         "f +1 +2 +3", "f -3 -2 -1", "f -3/-9 2 3//1", "f\t1  2\t3 ", "  f 1 2 3", "f 1 2 3 # a",
         "f 1 \\\n2 3", "f 1 2 \\\r\n3", "usemtl\nf 1 2 3", "usemtl \ng\nf 1 2 3", "f 1 2 3\r",
-        "vt\nvn x\nf 1 2 3",
+        "vt\nvn x\nf 1 2 3", "# C:\\models\\\nf 1 2 3", "f 1 2 3 # \\\nv 4 4 4",
     ],
 )  # fmt: skip
 def test_corners_of_obj_are_read_as_other_programs_read_them(face: str, tmp_path: Path) -> None:
