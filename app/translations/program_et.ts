@@ -5265,7 +5265,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     <name>MatrixAnswerView</name>
     <message>
         <source>A number: 0.5, 1 1/2, √3/2 or 2e-3; arrow keys change the cell (Enter)</source>
-        <translation>Arv: 0.5, 1 1/2, √3/2 või 2e-3; nooleklahvid vahetavad lahtrit (Enter)</translation>
+        <translation>Arv: 0.5; 1 1/2; √3/2 või 2e-3; nooleklahvid vahetavad lahtrit (Enter)</translation>
     </message>
 </context>
 <context>
@@ -6295,7 +6295,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>A number: 0.5, 1 1/2, √3/2, 2e-3 or 45°, to three significant digits (Enter)</source>
-        <translation>Arv: 0.5, 1 1/2, √3/2, 2e-3 või 45°, kolme tüvenumbriga (Enter)</translation>
+        <translation>Arv: 0.5; 1 1/2; √3/2; 2e-3 või 45°, kolme tüvenumbriga (Enter)</translation>
     </message>
 </context>
 <context>
@@ -7939,7 +7939,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>must be a number like 0.5, 1/2, √3/2 or 2e-3; {0} cannot be read as part of one</source>
-        <translation>peab olema arv nagu 0.5, 1/2, √3/2 või 2e-3; {0} ei ole loetav arvu osana</translation>
+        <translation>peab olema arv nagu 0.5; 1/2; √3/2 või 2e-3; {0} ei ole loetav arvu osana</translation>
     </message>
     <message>
         <source>must be a number of at most {0} characters</source>

@@ -5280,7 +5280,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     <name>MatrixAnswerView</name>
     <message>
         <source>A number: 0.5, 1 1/2, √3/2 or 2e-3; arrow keys change the cell (Enter)</source>
-        <translation>Broj: 0.5, 1 1/2, √3/2 ili 2e-3; strelice mijenjaju ćeliju (Enter)</translation>
+        <translation>Broj: 0.5; 1 1/2; √3/2 ili 2e-3; strelice mijenjaju ćeliju (Enter)</translation>
     </message>
 </context>
 <context>
@@ -6310,7 +6310,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>A number: 0.5, 1 1/2, √3/2, 2e-3 or 45°, to three significant digits (Enter)</source>
-        <translation>Broj: 0.5, 1 1/2, √3/2, 2e-3 ili 45°, na tri značajne znamenke (Enter)</translation>
+        <translation>Broj: 0.5; 1 1/2; √3/2; 2e-3 ili 45°, na tri značajne znamenke (Enter)</translation>
     </message>
 </context>
 <context>
@@ -6904,7 +6904,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>The next review is on {0}.</source>
-        <translation>Sljedeće ponavljanje: {0}.</translation>
+        <translation>Sljedeće ponavljanje: {0}</translation>
     </message>
     <message>
         <source>Go on with it</source>
@@ -7955,7 +7955,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>must be a number like 0.5, 1/2, √3/2 or 2e-3; {0} cannot be read as part of one</source>
-        <translation>mora biti broj poput 0.5, 1/2, √3/2 ili 2e-3; {0} se ne može čitati kao njegov dio</translation>
+        <translation>mora biti broj poput 0.5; 1/2; √3/2 ili 2e-3; {0} se ne može čitati kao njegov dio</translation>
     </message>
     <message>
         <source>must be a number of at most {0} characters</source>

@@ -5280,7 +5280,7 @@ An error in {3} is {2} times as large in u and v.</source>
     <name>MatrixAnswerView</name>
     <message>
         <source>A number: 0.5, 1 1/2, √3/2 or 2e-3; arrow keys change the cell (Enter)</source>
-        <translation>Број: 0.5, 1 1/2, √3/2 или 2e-3; стрелице прелазе на друго поље (Enter)</translation>
+        <translation>Број: 0.5; 1 1/2; √3/2 или 2e-3; стрелице прелазе на друго поље (Enter)</translation>
     </message>
 </context>
 <context>
@@ -6310,7 +6310,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>A number: 0.5, 1 1/2, √3/2, 2e-3 or 45°, to three significant digits (Enter)</source>
-        <translation>Број: 0.5, 1 1/2, √3/2, 2e-3 или 45°, на три значајне цифре (Enter)</translation>
+        <translation>Број: 0.5; 1 1/2; √3/2; 2e-3 или 45°, на три значајне цифре (Enter)</translation>
     </message>
 </context>
 <context>
@@ -6904,7 +6904,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>The next review is on {0}.</source>
-        <translation>Следеће понављање је {0}.</translation>
+        <translation>Следеће понављање: {0}</translation>
     </message>
     <message>
         <source>Go on with it</source>
@@ -7955,7 +7955,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>must be a number like 0.5, 1/2, √3/2 or 2e-3; {0} cannot be read as part of one</source>
-        <translation>мора да буде број као 0.5, 1/2, √3/2 или 2e-3; {0} не може да се чита као његов део</translation>
+        <translation>мора да буде број као 0.5; 1/2; √3/2 или 2e-3; {0} не може да се чита као његов део</translation>
     </message>
     <message>
         <source>must be a number of at most {0} characters</source>
