@@ -91,6 +91,7 @@ def _read_obj(source: MeshSource) -> Mesh:
         for kind, numbers in lines_in.items():
             lines_of[kind].append(lines_before + numbers)
         vertices += len(rows)
+        elements += sum(map(text.count, (b"\ncurv", b"\nsurf", b"\nfo ")))  # without a cloud's dots
         source.check_size(vertices, elements, cornered)
         points.append(rows[:, :3])
         colours.append(rows[:, 3:])

@@ -6560,8 +6560,8 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>diagrammil, nagu joonisel (vaikimisi: screen)</translation>
     </message>
     <message>
-        <source>of the chart, as of a figure; with a size of it or of its letters there are no notes below</source>
-        <translation>diagrammil, nagu joonisel; kui on antud diagrammi või selle tähtede suurus, ei ole all märkusi</translation>
+        <source>of the chart, as of a figure; with --size, --width or --text-size there are no notes below</source>
+        <translation>diagrammil, nagu joonisel; valikutega --size, --width või --text-size ei ole all märkusi</translation>
     </message>
     <message>
         <source>of the chart, instead of --size; its height is free</source>
@@ -6600,16 +6600,16 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>näita programmi versiooni ja lõpeta</translation>
     </message>
     <message>
-        <source>size of all letters of the chart in points (default: 7 if a size or a width is asked)</source>
-        <translation>diagrammi kõigi tähtede suurus punktides (vaikimisi: 7, kui suurus või laius on antud)</translation>
+        <source>size of all letters of the chart in points (default: 7 with --size or --width)</source>
+        <translation>diagrammi kõigi tähtede suurus punktides (vaikimisi: 7 valikuga --size või --width)</translation>
     </message>
     <message>
         <source>size of the window</source>
         <translation>akna suurus</translation>
     </message>
     <message>
-        <source>size of the words in points; 72 points are 300 pixels at scale 1 (default: 7 in a pane of 640 pixels, in proportion in others)</source>
-        <translation>sõnade suurus punktides; 72 punkti on 300 pikslit mastaabis 1 (vaikimisi: 7 paanis, mille laius on 640 pikslit, teistes võrdeliselt)</translation>
+        <source>size of all letters in points; 72 points are 300 pixels at scale 1 (default: 7 in a pane of 640 pixels, in proportion in others)</source>
+        <translation>kõigi tähtede suurus punktides; 72 punkti on 300 pikslit mastaabis 1 (vaikimisi: 7 paanis, mille laius on 640 pikslit, teistes võrdeliselt)</translation>
     </message>
     <message>
         <source>size on paper, such as 120mmx80mm, in mm, cm or in; or in pixels at scale 1, 300 an inch (default: 640x640 for each pane, or its own size for the image alone); in .html, of each pane</source>
@@ -8885,10 +8885,6 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     <message>
         <source>Test yourself</source>
         <translation>Enesekontroll</translation>
-    </message>
-    <message>
-        <source>Number of the test</source>
-        <translation>Testi number</translation>
     </message>
     <message>
         <source>The same topics and number give everyone the same test</source>

@@ -6575,8 +6575,8 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>za grafikon, kao za sliku (zadano: screen)</translation>
     </message>
     <message>
-        <source>of the chart, as of a figure; with a size of it or of its letters there are no notes below</source>
-        <translation>za grafikon, kao za sliku; ako se zada njegova veličina ili veličina slova, ispod nema napomena</translation>
+        <source>of the chart, as of a figure; with --size, --width or --text-size there are no notes below</source>
+        <translation>za grafikon, kao za sliku; uz --size, --width ili --text-size ispod nema napomena</translation>
     </message>
     <message>
         <source>of the chart, instead of --size; its height is free</source>
@@ -6615,16 +6615,16 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>ispisuje verziju programa i završava</translation>
     </message>
     <message>
-        <source>size of all letters of the chart in points (default: 7 if a size or a width is asked)</source>
-        <translation>veličina svih slova grafikona u točkama (zadano: 7 ako se traži veličina ili širina)</translation>
+        <source>size of all letters of the chart in points (default: 7 with --size or --width)</source>
+        <translation>veličina svih slova grafikona u točkama (zadano: 7 uz --size ili --width)</translation>
     </message>
     <message>
         <source>size of the window</source>
         <translation>veličina prozora</translation>
     </message>
     <message>
-        <source>size of the words in points; 72 points are 300 pixels at scale 1 (default: 7 in a pane of 640 pixels, in proportion in others)</source>
-        <translation>veličina riječi u točkama; 72 točke su 300 piksela pri mjerilu 1 (zadano: 7 u oknu od 640 piksela, u drugima razmjerno)</translation>
+        <source>size of all letters in points; 72 points are 300 pixels at scale 1 (default: 7 in a pane of 640 pixels, in proportion in others)</source>
+        <translation>veličina svih slova u točkama; 72 točke su 300 piksela pri mjerilu 1 (zadano: 7 u oknu od 640 piksela, u drugima razmjerno)</translation>
     </message>
     <message>
         <source>size on paper, such as 120mmx80mm, in mm, cm or in; or in pixels at scale 1, 300 an inch (default: 640x640 for each pane, or its own size for the image alone); in .html, of each pane</source>
@@ -8901,10 +8901,6 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     <message>
         <source>Test yourself</source>
         <translation>Provjerite znanje</translation>
-    </message>
-    <message>
-        <source>Number of the test</source>
-        <translation>Broj testa</translation>
     </message>
     <message>
         <source>The same topics and number give everyone the same test</source>

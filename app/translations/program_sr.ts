@@ -6575,8 +6575,8 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>за дијаграм, као за цртеж (подразумевано: screen)</translation>
     </message>
     <message>
-        <source>of the chart, as of a figure; with a size of it or of its letters there are no notes below</source>
-        <translation>за дијаграм, као за цртеж; ако је дата његова величина или величина слова, испод нема белешки</translation>
+        <source>of the chart, as of a figure; with --size, --width or --text-size there are no notes below</source>
+        <translation>за дијаграм, као за цртеж; уз --size, --width или --text-size испод нема белешки</translation>
     </message>
     <message>
         <source>of the chart, instead of --size; its height is free</source>
@@ -6615,16 +6615,16 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>прикажи број верзије програма и изађи</translation>
     </message>
     <message>
-        <source>size of all letters of the chart in points (default: 7 if a size or a width is asked)</source>
-        <translation>величина свих слова дијаграма у тачкама (подразумевано: 7 ако је тражена величина или ширина)</translation>
+        <source>size of all letters of the chart in points (default: 7 with --size or --width)</source>
+        <translation>величина свих слова дијаграма у тачкама (подразумевано: 7 уз --size или --width)</translation>
     </message>
     <message>
         <source>size of the window</source>
         <translation>величина прозора</translation>
     </message>
     <message>
-        <source>size of the words in points; 72 points are 300 pixels at scale 1 (default: 7 in a pane of 640 pixels, in proportion in others)</source>
-        <translation>величина речи у тачкама; 72 тачке су 300 пиксела при размери 1 (подразумевано: 7 у приказу од 640 пиксела, у осталима сразмерно)</translation>
+        <source>size of all letters in points; 72 points are 300 pixels at scale 1 (default: 7 in a pane of 640 pixels, in proportion in others)</source>
+        <translation>величина свих слова у тачкама; 72 тачке су 300 пиксела при размери 1 (подразумевано: 7 у приказу од 640 пиксела, у осталима сразмерно)</translation>
     </message>
     <message>
         <source>size on paper, such as 120mmx80mm, in mm, cm or in; or in pixels at scale 1, 300 an inch (default: 640x640 for each pane, or its own size for the image alone); in .html, of each pane</source>
@@ -8901,10 +8901,6 @@ An error in {3} is {2} times as large in u and v.</source>
     <message>
         <source>Test yourself</source>
         <translation>Испитајте се</translation>
-    </message>
-    <message>
-        <source>Number of the test</source>
-        <translation>Број теста</translation>
     </message>
     <message>
         <source>The same topics and number give everyone the same test</source>
