@@ -7479,7 +7479,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>has a formula that only an exercise writes in</source>
-        <translation>sisaldab valemit, mille kirjutab sisse ainult „exercise”</translation>
+        <translation>sisaldab valemit, mille kirjutab sisse ainult „exercise“</translation>
     </message>
     <message>
         <source>has HTML, which a lesson shows as it is typed</source>
@@ -7487,7 +7487,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>has “{0}:”, which belongs to {1} only</source>
-        <translation>sisaldab võtit „{0}:”, mis käib ainult koos järgmistega: {1}</translation>
+        <translation>sisaldab võtit „{0}:“, mis käib ainult koos järgmistega: {1}</translation>
     </message>
     <message>
         <source>has a CAMERA_ID that is not in cameras.txt</source>

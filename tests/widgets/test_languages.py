@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 from PySide6.QtCore import QLocale
-from PySide6.QtWidgets import QApplication, QMenu, QMenuBar
+from PySide6.QtWidgets import QApplication, QMenu, QMenuBar, QRadioButton
 
 from app import languages
 from app.document.document import Document
@@ -25,6 +25,7 @@ from app.model.refusal import REFUSALS, Refusal
 from app.scenes.scene import BUILT_IN
 from tests.support.layout import cut, overlapping
 from tests.support.window import MakeWindow, settle, show_scene
+from tests.widgets.test_lesson_card import texts
 from widgets.parts.messages import TranslatedWords, sentence
 from widgets.parts.translator import Translator
 from widgets.window.main_window import MainWindow
@@ -43,6 +44,18 @@ Koliki je kut?
 Koliki je?
 value: fov
 wrong angle-linear: 2*fov
+```
+"""
+
+VOTE = """---
+title: Vote
+---
+# Vote {#vote}
+```predict straight
+What comes of it?
+- [ ] A line
+  says: It is bent.
+- [x] An arc
 ```
 """
 
@@ -150,6 +163,32 @@ def test_examples_of_numbers_have_one_sign_between_them(language: str, speak: An
     with pytest.raises(Refusal) as refusal:
         marking.read("1,5,5")
     assert "0,5; 1/2; √3/2" in sentence(refusal.value)
+
+
+@pytest.mark.undrawn
+@pytest.mark.parametrize(
+    ("language", "marks"),
+    [("en", "“”"), ("hr", "„”"), ("sr", "„”"), ("sr-Latn", "„”"), ("et", "„“")],
+)
+def test_a_language_has_its_own_quotation_marks(
+    language: str, marks: str, speak: Any, make_window: MakeWindow, tmp_path: Path
+) -> None:
+    speak(language)
+    opened, closed = marks
+    with pytest.raises(Refusal) as refusal:
+        marking.read("abc")
+    assert f"{opened}abc{closed}" in sentence(refusal.value)
+    file = tmp_path / "vote.md"
+    file.write_text(VOTE, "utf-8")
+    window = make_window()
+    window.lesson_card.open(file)
+    settle()
+    (view,) = window.lesson_card.page.blocks
+    view.findChildren(QRadioButton)[0].click()
+    view.commit()
+    settle()
+    said = texts(window.lesson_card)
+    assert f"{opened}A line{closed}" in said and f"{opened}An arc{closed}" in said
 
 
 def test_an_equation_has_a_comma(speak: Any) -> None:
