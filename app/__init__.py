@@ -6,7 +6,7 @@ __version__ = "0.1.0"
 
 # Here, because an older Python cannot even read the other modules.
 if sys.version_info < (3, 11):  # noqa: UP036
-    here = f"{sys.version_info[0]}.{sys.version_info[1]}"
-    sys.stderr.write(f"frustum-lab: this is Python {here} ({sys.executable}); 3.11 is needed\n")
+    here = sys.version.split()[0] + " (" + sys.executable + ")"
+    sys.stderr.write("frustum-lab: this is Python " + here + "; 3.11 is needed\n")
     sys.stderr.write("frustum-lab: https://www.python.org/downloads has it for every system\n")
     raise SystemExit(3)

@@ -246,10 +246,11 @@ def _plain(name: str) -> str:
 
 def data_folder() -> Path:
     """The folder for an environment that cannot be beside the code."""
-    home = Path.home()
+    home = Path("/", os.path.expanduser("~"))  # which stays as it is for a user without a home
     places = {"win32": home / "AppData" / "Local", "darwin": home / "Library/Application Support"}
-    place = os.environ.get("LOCALAPPDATA" if sys.platform == "win32" else "XDG_DATA_HOME")
-    return Path(place or places.get(sys.platform, home / ".local" / "share")) / "frustum-lab"
+    place = os.environ.get("LOCALAPPDATA" if sys.platform == "win32" else "XDG_DATA_HOME", "")
+    usual = places.get(sys.platform, home / ".local" / "share")
+    return Path(place if os.path.isabs(place) else usual) / "frustum-lab"
 
 
 def _has_room(root: Path) -> bool:

@@ -31,6 +31,7 @@ OF_LESSONS = frozenset(
      "MarkedAnswerView", "NumberAnswerView", "MatrixAnswerView", "OrderView", "Exam", "Spoken")
 )  # fmt: skip
 """The contexts of a lesson's card, and of a test on paper."""
+_QUOTES = {"hr": "„{}”", "sr": "„{}”", "sr-Latn": "„{}”", "et": "„{}“"}
 LETTERS = {"hr": "004", "sr": "003", "sr-Latn": "003", "et": "002"}
 """The lecture whose letters a lesson in a language has, if it asks for no others."""
 TRANSLATIONS = Path(__file__).with_name("translations")
@@ -208,6 +209,11 @@ def in_latin(text: str) -> str:
 def listed(numbers: Iterable[str]) -> str:
     """Return numbers in a row: ``0.5, 1, 2``, and ``0,5; 1; 2`` where they have commas."""
     return (", " if _Chosen.program == ENGLISH else "; ").join(numbers)
+
+
+def quoted(text: str, language: str = "") -> str:
+    """Return a text in the quotation marks of the program's language, or of another one."""
+    return _QUOTES.get(language or _Chosen.program, "“{}”").format(text)
 
 
 def with_comma(text: str, *, in_tex: bool = False) -> str:

@@ -26,6 +26,7 @@ def prefer_own() -> bool:
 
     Return whether code from PYTHONPATH may already have run, so that a fresh start is better.
     """
+    set_aside("MPLBACKEND")  # one that is unknown keeps matplotlib from being imported
     if FROZEN:
         return False
     if not sys.flags.safe_path:

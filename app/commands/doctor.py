@@ -72,7 +72,7 @@ def examine() -> Iterator[Finding]:
         yield from _folders()
         yield from _display()
         yield _off_screen()
-    # Nothing is missing without it: there are other formats of moving pictures.
+    # Nothing is missing without it: there are other formats of films.
     ffmpeg = shutil.which("ffmpeg")
     without = said("not without ffmpeg; .webp needs none")
     yield Finding("MP4", said("through {0}", ffmpeg) if ffmpeg else without)

@@ -1,4 +1,4 @@
-"""The command ``export``: a figure, the figures of a list, or a moving picture."""
+"""The command ``export``: a figure, the figures of a list, or a film."""
 
 import argparse
 import os
@@ -76,7 +76,7 @@ def _draw(options: argparse.Namespace, out: str, file: str | None) -> str:
 
 
 def _draw_moving(options: argparse.Namespace, out: str, file: str | None) -> str:
-    """Draw a moving picture: a film, written whole or not at all, or a figure for each frame."""
+    """Draw a film, written whole or not at all, or a figure for each frame."""
     _choose_panes(options, file)
     options.loop = options.loop or sweep.usual_loop(options, numbered=bool(sweep.names(out, 1)))
     order, _ = sweep.order(options), sweep.speed(options)

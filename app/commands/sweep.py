@@ -1,4 +1,4 @@
-"""The states of a moving picture: a document that changes from frame to frame.
+"""The states of a film: a document that changes from frame to frame.
 
 ``--sweep`` changes values, ``--orbit`` the place from which the world is seen, ``--stages`` the
 stage of the NDC pane, and ``--transition`` goes from one step of a talk to the next. The world

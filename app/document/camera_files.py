@@ -48,7 +48,7 @@ _PAGE = read_sections(pathlib.Path(__file__).with_name("content") / "camera-file
 _OTHERS, _OTHER_KEYS = _PAGE["endings"].named, _PAGE["keys"].named
 _CALLED = {ours: names.split() for ours, names in _PAGE["names"].named.items()}
 _PARAMETERS = {model: int(count) for model, count in _PAGE["models"].named.items()}
-_MODELS = (*_PARAMETERS, "PLUMB_BOB", "RADTAN", "RATIONAL_POLYNOMIAL", "NONE", "")
+_MODELS = (*_PARAMETERS, *_CALLED["perspective"], "")
 _FOUR, _SIDES, _NERF = ("fx", "fy", "cx", "cy"), ("width", "height"), "transformmatrix"
 MOST_SKEW_PX = 0.5
 _TURNED = 3e-3  # most that a pose's axes may miss right angles: three digits are enough to be read
@@ -131,7 +131,7 @@ def _seen(
     is at `half`.
     """
     for name, (key, node) in group.items():
-        value = " ".join(map(str, _tokens(node)))
+        value = " ".join(map(str, _tokens(node))).strip("'\"")  # a text of YAML
         is_model = name in ("cameramodel", "distortionmodel") and value.upper() not in _MODELS
         if is_model or (name in _CALLED["no perspective"] and value.upper() != "FALSE"):
             raise Refusal.in_document(REFUSALS["no-perspective"], field=key, value=value)

@@ -1,4 +1,4 @@
-"""Values that change from frame to frame of a moving picture, and the order of its frames."""
+"""Values that change from frame to frame of a film, and the order of its frames."""
 
 import math
 from collections.abc import Sequence

@@ -20,7 +20,7 @@ from vtkmodules.vtkRenderingCore import vtkPolyDataMapper2D, vtkTexture, vtkText
 
 from app.drawings.style import Style, rgb
 from app.languages import with_comma
-from app.lecture.typesetting import Outline, line_of, piece_of
+from app.lecture.typesetting import Outline, as_shipped, line_of, piece_of
 
 Pixels = NDArray[np.uint8]
 
@@ -83,6 +83,7 @@ def tile(piece: str, is_tex: bool, em: float, halo_px: float, shift: int) -> Til
     return made
 
 
+@as_shipped()
 def _drawn_tile(piece: str, is_tex: bool, em: float, halo_px: float, shift: int) -> Tile:
     from matplotlib.backends.backend_agg import RendererAgg
     from matplotlib.path import Path

@@ -1,4 +1,4 @@
-"""Moving pictures: GIF, APNG, WebP and MP4 of frames that are encoded one by one.
+"""Films: GIF, APNG, WebP and MP4 of frames that are encoded one by one.
 
 Pillow encodes the frames. Its own writers of animations join frames that are equal, and keep all
 pixels in memory; here a file has exactly the frames that it is given. MP4 is encoded by the program

@@ -13,13 +13,14 @@ from app.drawings.off_screen import Pixels
 from app.drawings.style import rgb
 from app.drawings.svg import SEAM_PX
 from app.drawings.vectors import Area, Disc, LineShape, PixelShape, Shape, TextShape
-from app.lecture.typesetting import FONT, font_file, is_set_in_words, mathtext, piece_of
+from app.lecture.typesetting import FONT, as_shipped, font_file, is_set_in_words, mathtext, piece_of
 
 _PT_PER_PX = 72.0 / DPI
 _LARGE = 1e3
 _WATCHED = 50  # shapes from one call of the watch to the next
 
 
+@as_shipped()
 def pdf(
     shapes: Sequence[Shape],
     size: tuple[float, float],
@@ -57,6 +58,7 @@ def pdf(
     return buffer.getvalue()
 
 
+@as_shipped()
 def rastered(shapes: Sequence[Shape], size: tuple[float, float], scale: float) -> Pixels:
     """Return shapes as pixels, (h, w, 4), without VTK."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg

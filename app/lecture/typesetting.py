@@ -13,6 +13,7 @@ import pathlib
 import re
 import threading
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache, cached_property, lru_cache
 from typing import Any, NamedTuple
@@ -107,8 +108,18 @@ def outline(tex: str) -> Outline:
         return _set_once(tex, lambda: _read(tex))
 
 
+@contextmanager
+def as_shipped() -> Iterator[None]:
+    """Let matplotlib draw by its own settings: the current folder may have a matplotlibrc."""
+    from matplotlib import rc_context, rcParams, rcParamsDefault
+
+    with rc_context():
+        dict.update(rcParams, {**rcParamsDefault, "backend": dict.get(rcParams, "backend")})
+        yield
+
+
 def _set_once(key: str, make: Callable[[], Outline]) -> Outline:
-    made = SET[key] if key in SET else make()
+    made = SET[key] if key in SET else as_shipped()(make)()
     if len(SET) < MOST_SET:
         SET[key] = made
     return made

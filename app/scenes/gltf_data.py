@@ -103,7 +103,7 @@ class GltfData:
             if address is None:
                 data = b"" if index else self._body
             elif address.startswith("data:"):
-                data = base64.b64decode(address.partition(",")[2])
+                data = base64.b64decode(unquote(address.partition(",")[2]))
             else:
                 data = self._file(unquote(address))
             if len(data) < buffer["byteLength"]:

@@ -91,6 +91,7 @@ def _read_obj(source: MeshSource) -> Mesh:
         for kind, numbers in lines_in.items():
             lines_of[kind].append(lines_before + numbers)
         vertices += len(rows)
+        elements += sum(map(text.count, (b"\ncurv", b"\nsurf", b"\nfo ")))  # without a cloud's dots
         source.check_size(vertices, elements, cornered)
         points.append(rows[:, :3])
         colours.append(rows[:, 3:])
@@ -135,12 +136,13 @@ def _obj_blocks(file: BinaryIO) -> Iterator[bytes]:
         while block and text.endswith((b"\\\n", b"\\\r\n"), 0, end):
             end = text.rfind(b"\n", 0, end - 1) + 1  # this line goes on in the next block
         text, rest = text[:end], text[end:]
-        if _MARK in text:  # of a file that was joined to another
-            text = text.replace(_MARK, b"")
-        if _NO_BREAK in text:
-            text = text.replace(_NO_BREAK, b" ")
-        if b"\r" in text:
-            text = text.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
+        text = text.replace(_MARK, b"")  # of a file that was joined to another
+        text = text.replace(_NO_BREAK, b" ")
+        text = text.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
+        if b"1.#" in text:  # what Microsoft's C library writes for nan and inf
+            text = re.sub(rb"[-+]?1\.#(?:IND|INF|[QS]NAN)\d*", b"nan", text)
+        if b"#" in text:  # first: a folder at the end of one may end with a backslash
+            text = re.sub(rb"#[^\n]*", b"", text)
         if b"\\" in text:
             # A joined line keeps its number, and those after it keep theirs.
             text = re.sub(
@@ -149,10 +151,6 @@ def _obj_blocks(file: BinaryIO) -> Iterator[bytes]:
                 text,
                 flags=re.MULTILINE,
             )
-        if b"1.#" in text:  # what Microsoft's C library writes for nan and inf
-            text = re.sub(rb"[-+]?1\.#(?:IND|INF|[QS]NAN)\d*", b"nan", text)
-        if b"#" in text:
-            text = re.sub(rb"#[^\n]*", b"", text)
         if text[:1] in b" \t" or b"\n " in text or b"\n\t" in text:
             text = re.sub(rb"^[ \t]+", b"", text, flags=re.MULTILINE)
         yield text

@@ -2778,8 +2778,8 @@
         <translation>Tähtede kõrgus punktides</translation>
     </message>
     <message>
-        <source>The file&apos;s format; SVG, PDF and TEX (TikZ) have shapes and text, no pixels. Moving pictures and many at once: the command “export”</source>
-        <translation>Faili vorming; SVG, PDF ja TEX (TikZ) koosnevad kujunditest ja tekstist, mitte pikslitest. Liikuvad pildid ja palju pilte korraga: käsk „export“</translation>
+        <source>The file&apos;s format; SVG, PDF and TEX (TikZ) have shapes and text, no pixels. Films and many at once: the command “export”</source>
+        <translation>Faili vorming; SVG, PDF ja TEX (TikZ) koosnevad kujunditest ja tekstist, mitte pikslitest. Filmid ja palju pilte korraga: käsk „export“</translation>
     </message>
     <message>
         <source>&amp;Format</source>
@@ -5265,7 +5265,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     <name>MatrixAnswerView</name>
     <message>
         <source>A number: 0.5, 1 1/2, √3/2 or 2e-3; arrow keys change the cell (Enter)</source>
-        <translation>Arv: 0.5, 1 1/2, √3/2 või 2e-3; nooleklahvid vahetavad lahtrit (Enter)</translation>
+        <translation>Arv: 0.5; 1 1/2; √3/2 või 2e-3; nooleklahvid vahetavad lahtrit (Enter)</translation>
     </message>
 </context>
 <context>
@@ -6295,7 +6295,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>A number: 0.5, 1 1/2, √3/2, 2e-3 or 45°, to three significant digits (Enter)</source>
-        <translation>Arv: 0.5, 1 1/2, √3/2, 2e-3 või 45°, kolme tüvenumbriga (Enter)</translation>
+        <translation>Arv: 0.5; 1 1/2; √3/2; 2e-3 või 45°, kolme tüvenumbriga (Enter)</translation>
     </message>
 </context>
 <context>
@@ -6372,20 +6372,20 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>joonista joonis PNG-, SVG-, PDF-, TikZ- või HTML-failina, ilma akna ja ekraanita</translation>
     </message>
     <message>
-        <source>draw a moving picture: a value of --set changes from FIRST to LAST; may be repeated for values that change together</source>
-        <translation>joonista liikuv pilt: valiku --set väärtus muutub väärtusest FIRST väärtuseni LAST; võib korrata koos muutuvate väärtuste jaoks</translation>
+        <source>draw a film: a value of --set changes from FIRST to LAST; may be repeated for values that change together</source>
+        <translation>joonista film: valiku --set väärtus muutub väärtusest FIRST väärtuseni LAST; võib korrata koos muutuvate väärtuste jaoks</translation>
     </message>
     <message>
-        <source>draw a moving picture: how --step follows from the step before</source>
-        <translation>joonista liikuv pilt: kuidas --step eelmisest sammust järgneb</translation>
+        <source>draw a film: how --step follows from the step before</source>
+        <translation>joonista film: kuidas --step eelmisest sammust järgneb</translation>
     </message>
     <message>
-        <source>draw a moving picture: the ndc pane goes from the world through all stages to the image, and back</source>
-        <translation>joonista liikuv pilt: ndc paan läheb maailmast läbi kõigi etappide pildini ja tagasi</translation>
+        <source>draw a film: the ndc pane goes from the world through all stages to the image, and back</source>
+        <translation>joonista film: ndc paan läheb maailmast läbi kõigi etappide pildini ja tagasi</translation>
     </message>
     <message>
-        <source>draw a moving picture: the world is seen from all round, or as far round as DEGREES say, and back; the camera stays where it is</source>
-        <translation>joonista liikuv pilt: maailma nähakse igast küljest, või nii palju ringi, kui ütleb DEGREES, ja tagasi; kaamera jääb oma kohale</translation>
+        <source>draw a film: the world is seen from all round, or as far round as DEGREES say, and back; the camera stays where it is</source>
+        <translation>joonista film: maailma nähakse igast küljest, või nii palju ringi, kui ütleb DEGREES, ja tagasi; kaamera jääb oma kohale</translation>
     </message>
     <message>
         <source>draw all results; FILE as for --json, ending in .png, or in .svg or .pdf for vectors</source>
@@ -6520,16 +6520,16 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>valikul --wheels; võib korrata (vaikimisi: kõik)</translation>
     </message>
     <message>
-        <source>of a moving picture: from the last frame to the first, not at all, or there and back in all frames together (default: repeat for --sweep and all round, once for --transition and numbered files, else back-and-forth)</source>
-        <translation>liikuval pildil: viimasest kaadrist esimesse, üldse mitte, või kõigi kaadrite jooksul kokku edasi ja tagasi (vaikimisi: repeat valikul --sweep ja täisringil, once valikul --transition ja nummerdatud failidel, muidu back-and-forth)</translation>
+        <source>of a film: from the last frame to the first, not at all, or there and back in all frames together (default: repeat for --sweep and all round, once for --transition and numbered files, else back-and-forth)</source>
+        <translation>filmil: viimasest kaadrist esimesse, üldse mitte, või kõigi kaadrite jooksul kokku edasi ja tagasi (vaikimisi: repeat valikul --sweep ja täisringil, once valikul --transition ja nummerdatud failidel, muidu back-and-forth)</translation>
     </message>
     <message>
-        <source>of a moving picture: how many frames (default: 48; of --stages 120, of --transition 24; in .html 21)</source>
-        <translation>liikuval pildil: mitu kaadrit (vaikimisi: 48; valikul --stages 120, valikul --transition 24; .html-failis 21)</translation>
+        <source>of a film: how many frames (default: 48; of --stages 120, of --transition 24; in .html 21)</source>
+        <translation>filmil: mitu kaadrit (vaikimisi: 48; valikul --stages 120, valikul --transition 24; .html-failis 21)</translation>
     </message>
     <message>
-        <source>of a moving picture: how many frames a second (default: 25)</source>
-        <translation>liikuval pildil: mitu kaadrit sekundis (vaikimisi: 25)</translation>
+        <source>of a film: how many frames a second (default: 25)</source>
+        <translation>filmil: mitu kaadrit sekundis (vaikimisi: 25)</translation>
     </message>
     <message>
         <source>of check and print: letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the lesson&apos;s)</source>
@@ -6560,8 +6560,8 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>diagrammil, nagu joonisel (vaikimisi: screen)</translation>
     </message>
     <message>
-        <source>of the chart, as of a figure; with a size of it or of its letters there are no notes below</source>
-        <translation>diagrammil, nagu joonisel; kui on antud diagrammi või selle tähtede suurus, ei ole all märkusi</translation>
+        <source>of the chart, as of a figure; with --size, --width or --text-size there are no notes below</source>
+        <translation>diagrammil, nagu joonisel; valikutega --size, --width või --text-size ei ole all märkusi</translation>
     </message>
     <message>
         <source>of the chart, instead of --size; its height is free</source>
@@ -6600,16 +6600,16 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>näita programmi versiooni ja lõpeta</translation>
     </message>
     <message>
-        <source>size of all letters of the chart in points (default: 7 if a size or a width is asked)</source>
-        <translation>diagrammi kõigi tähtede suurus punktides (vaikimisi: 7, kui suurus või laius on antud)</translation>
+        <source>size of all letters of the chart in points (default: 7 with --size or --width)</source>
+        <translation>diagrammi kõigi tähtede suurus punktides (vaikimisi: 7 valikuga --size või --width)</translation>
     </message>
     <message>
         <source>size of the window</source>
         <translation>akna suurus</translation>
     </message>
     <message>
-        <source>size of the words in points; 72 points are 300 pixels at scale 1 (default: 7 in a pane of 640 pixels, in proportion in others)</source>
-        <translation>sõnade suurus punktides; 72 punkti on 300 pikslit mastaabis 1 (vaikimisi: 7 paanis, mille laius on 640 pikslit, teistes võrdeliselt)</translation>
+        <source>size of all letters in points; 72 points are 300 pixels at scale 1 (default: 7 in a pane of 640 pixels, in proportion in others)</source>
+        <translation>kõigi tähtede suurus punktides; 72 punkti on 300 pikslit mastaabis 1 (vaikimisi: 7 paanis, mille laius on 640 pikslit, teistes võrdeliselt)</translation>
     </message>
     <message>
         <source>size on paper, such as 120mmx80mm, in mm, cm or in; or in pixels at scale 1, 300 an inch (default: 640x640 for each pane, or its own size for the image alone); in .html, of each pane</source>
@@ -7479,7 +7479,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>has a formula that only an exercise writes in</source>
-        <translation>sisaldab valemit, mille kirjutab sisse ainult „exercise”</translation>
+        <translation>sisaldab valemit, mille kirjutab sisse ainult „exercise“</translation>
     </message>
     <message>
         <source>has HTML, which a lesson shows as it is typed</source>
@@ -7487,7 +7487,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>has “{0}:”, which belongs to {1} only</source>
-        <translation>sisaldab võtit „{0}:”, mis käib ainult koos järgmistega: {1}</translation>
+        <translation>sisaldab võtit „{0}:“, mis käib ainult koos järgmistega: {1}</translation>
     </message>
     <message>
         <source>has a CAMERA_ID that is not in cameras.txt</source>
@@ -7939,7 +7939,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>must be a number like 0.5, 1/2, √3/2 or 2e-3; {0} cannot be read as part of one</source>
-        <translation>peab olema arv nagu 0.5, 1/2, √3/2 või 2e-3; {0} ei ole loetav arvu osana</translation>
+        <translation>peab olema arv nagu 0.5; 1/2; √3/2 või 2e-3; {0} ei ole loetav arvu osana</translation>
     </message>
     <message>
         <source>must be a number of at most {0} characters</source>
@@ -8885,10 +8885,6 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     <message>
         <source>Test yourself</source>
         <translation>Enesekontroll</translation>
-    </message>
-    <message>
-        <source>Number of the test</source>
-        <translation>Testi number</translation>
     </message>
     <message>
         <source>The same topics and number give everyone the same test</source>

@@ -2793,8 +2793,8 @@
         <translation>Visina slova u točkama</translation>
     </message>
     <message>
-        <source>The file&apos;s format; SVG, PDF and TEX (TikZ) have shapes and text, no pixels. Moving pictures and many at once: the command “export”</source>
-        <translation>Format datoteke; SVG, PDF i TEX (TikZ) imaju oblike i tekst, bez piksela. Pokretne slike i mnogo slika odjednom: naredba „export”</translation>
+        <source>The file&apos;s format; SVG, PDF and TEX (TikZ) have shapes and text, no pixels. Films and many at once: the command “export”</source>
+        <translation>Format datoteke; SVG, PDF i TEX (TikZ) imaju oblike i tekst, bez piksela. Filmovi i mnogo slika odjednom: naredba „export”</translation>
     </message>
     <message>
         <source>&amp;Format</source>
@@ -5280,7 +5280,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     <name>MatrixAnswerView</name>
     <message>
         <source>A number: 0.5, 1 1/2, √3/2 or 2e-3; arrow keys change the cell (Enter)</source>
-        <translation>Broj: 0.5, 1 1/2, √3/2 ili 2e-3; strelice mijenjaju ćeliju (Enter)</translation>
+        <translation>Broj: 0.5; 1 1/2; √3/2 ili 2e-3; strelice mijenjaju ćeliju (Enter)</translation>
     </message>
 </context>
 <context>
@@ -6310,7 +6310,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>A number: 0.5, 1 1/2, √3/2, 2e-3 or 45°, to three significant digits (Enter)</source>
-        <translation>Broj: 0.5, 1 1/2, √3/2, 2e-3 ili 45°, na tri značajne znamenke (Enter)</translation>
+        <translation>Broj: 0.5; 1 1/2; √3/2; 2e-3 ili 45°, na tri značajne znamenke (Enter)</translation>
     </message>
 </context>
 <context>
@@ -6387,20 +6387,20 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>crta sliku kao PNG, SVG, PDF, TikZ ili HTML, bez prozora i zaslona</translation>
     </message>
     <message>
-        <source>draw a moving picture: a value of --set changes from FIRST to LAST; may be repeated for values that change together</source>
-        <translation>crta pokretnu sliku: vrijednost, imenovana kao kod --set, mijenja se od FIRST do LAST; može se ponoviti za vrijednosti koje se mijenjaju zajedno</translation>
+        <source>draw a film: a value of --set changes from FIRST to LAST; may be repeated for values that change together</source>
+        <translation>crta film: vrijednost, imenovana kao kod --set, mijenja se od FIRST do LAST; može se ponoviti za vrijednosti koje se mijenjaju zajedno</translation>
     </message>
     <message>
-        <source>draw a moving picture: how --step follows from the step before</source>
-        <translation>crta pokretnu sliku: kako --step slijedi iz prethodnog koraka</translation>
+        <source>draw a film: how --step follows from the step before</source>
+        <translation>crta film: kako --step slijedi iz prethodnog koraka</translation>
     </message>
     <message>
-        <source>draw a moving picture: the ndc pane goes from the world through all stages to the image, and back</source>
-        <translation>crta pokretnu sliku: okno ndc ide od svijeta kroz sve etape do slike i natrag</translation>
+        <source>draw a film: the ndc pane goes from the world through all stages to the image, and back</source>
+        <translation>crta film: okno ndc ide od svijeta kroz sve etape do slike i natrag</translation>
     </message>
     <message>
-        <source>draw a moving picture: the world is seen from all round, or as far round as DEGREES say, and back; the camera stays where it is</source>
-        <translation>crta pokretnu sliku: svijet se gleda sa svih strana, ili onoliko ukrug koliko kaže DEGREES, i natrag; kamera ostaje gdje jest</translation>
+        <source>draw a film: the world is seen from all round, or as far round as DEGREES say, and back; the camera stays where it is</source>
+        <translation>crta film: svijet se gleda sa svih strana, ili onoliko ukrug koliko kaže DEGREES, i natrag; kamera ostaje gdje jest</translation>
     </message>
     <message>
         <source>draw all results; FILE as for --json, ending in .png, or in .svg or .pdf for vectors</source>
@@ -6535,16 +6535,16 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>uz --wheels; može se ponoviti (zadano: sve)</translation>
     </message>
     <message>
-        <source>of a moving picture: from the last frame to the first, not at all, or there and back in all frames together (default: repeat for --sweep and all round, once for --transition and numbered files, else back-and-forth)</source>
-        <translation>uz pokretnu sliku: od posljednjeg kadra na prvi, nikako, ili tamo i natrag u svim kadrovima zajedno (zadano: repeat za --sweep i cijeli krug, once za --transition i numerirane datoteke, inače back-and-forth)</translation>
+        <source>of a film: from the last frame to the first, not at all, or there and back in all frames together (default: repeat for --sweep and all round, once for --transition and numbered files, else back-and-forth)</source>
+        <translation>uz film: od posljednjeg kadra na prvi, nikako, ili tamo i natrag u svim kadrovima zajedno (zadano: repeat za --sweep i cijeli krug, once za --transition i numerirane datoteke, inače back-and-forth)</translation>
     </message>
     <message>
-        <source>of a moving picture: how many frames (default: 48; of --stages 120, of --transition 24; in .html 21)</source>
-        <translation>uz pokretnu sliku: koliko kadrova (zadano: 48; za --stages 120, za --transition 24; u .html 21)</translation>
+        <source>of a film: how many frames (default: 48; of --stages 120, of --transition 24; in .html 21)</source>
+        <translation>uz film: koliko kadrova (zadano: 48; za --stages 120, za --transition 24; u .html 21)</translation>
     </message>
     <message>
-        <source>of a moving picture: how many frames a second (default: 25)</source>
-        <translation>uz pokretnu sliku: koliko kadrova u sekundi (zadano: 25)</translation>
+        <source>of a film: how many frames a second (default: 25)</source>
+        <translation>uz film: koliko kadrova u sekundi (zadano: 25)</translation>
     </message>
     <message>
         <source>of check and print: letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the lesson&apos;s)</source>
@@ -6575,8 +6575,8 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>za grafikon, kao za sliku (zadano: screen)</translation>
     </message>
     <message>
-        <source>of the chart, as of a figure; with a size of it or of its letters there are no notes below</source>
-        <translation>za grafikon, kao za sliku; ako se zada njegova veličina ili veličina slova, ispod nema napomena</translation>
+        <source>of the chart, as of a figure; with --size, --width or --text-size there are no notes below</source>
+        <translation>za grafikon, kao za sliku; uz --size, --width ili --text-size ispod nema napomena</translation>
     </message>
     <message>
         <source>of the chart, instead of --size; its height is free</source>
@@ -6615,16 +6615,16 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>ispisuje verziju programa i završava</translation>
     </message>
     <message>
-        <source>size of all letters of the chart in points (default: 7 if a size or a width is asked)</source>
-        <translation>veličina svih slova grafikona u točkama (zadano: 7 ako se traži veličina ili širina)</translation>
+        <source>size of all letters of the chart in points (default: 7 with --size or --width)</source>
+        <translation>veličina svih slova grafikona u točkama (zadano: 7 uz --size ili --width)</translation>
     </message>
     <message>
         <source>size of the window</source>
         <translation>veličina prozora</translation>
     </message>
     <message>
-        <source>size of the words in points; 72 points are 300 pixels at scale 1 (default: 7 in a pane of 640 pixels, in proportion in others)</source>
-        <translation>veličina riječi u točkama; 72 točke su 300 piksela pri mjerilu 1 (zadano: 7 u oknu od 640 piksela, u drugima razmjerno)</translation>
+        <source>size of all letters in points; 72 points are 300 pixels at scale 1 (default: 7 in a pane of 640 pixels, in proportion in others)</source>
+        <translation>veličina svih slova u točkama; 72 točke su 300 piksela pri mjerilu 1 (zadano: 7 u oknu od 640 piksela, u drugima razmjerno)</translation>
     </message>
     <message>
         <source>size on paper, such as 120mmx80mm, in mm, cm or in; or in pixels at scale 1, 300 an inch (default: 640x640 for each pane, or its own size for the image alone); in .html, of each pane</source>
@@ -6904,7 +6904,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>The next review is on {0}.</source>
-        <translation>Sljedeće ponavljanje: {0}.</translation>
+        <translation>Sljedeće ponavljanje: {0}</translation>
     </message>
     <message>
         <source>Go on with it</source>
@@ -7955,7 +7955,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>must be a number like 0.5, 1/2, √3/2 or 2e-3; {0} cannot be read as part of one</source>
-        <translation>mora biti broj poput 0.5, 1/2, √3/2 ili 2e-3; {0} se ne može čitati kao njegov dio</translation>
+        <translation>mora biti broj poput 0.5; 1/2; √3/2 ili 2e-3; {0} se ne može čitati kao njegov dio</translation>
     </message>
     <message>
         <source>must be a number of at most {0} characters</source>
@@ -8901,10 +8901,6 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     <message>
         <source>Test yourself</source>
         <translation>Provjerite znanje</translation>
-    </message>
-    <message>
-        <source>Number of the test</source>
-        <translation>Broj testa</translation>
     </message>
     <message>
         <source>The same topics and number give everyone the same test</source>

@@ -2793,8 +2793,8 @@
         <translation>Висина слова у тачкама</translation>
     </message>
     <message>
-        <source>The file&apos;s format; SVG, PDF and TEX (TikZ) have shapes and text, no pixels. Moving pictures and many at once: the command “export”</source>
-        <translation>Формат датотеке; SVG, PDF и TEX (TikZ) имају облике и текст, без пиксела. Покретне слике и више слика одједном: наредба „export”</translation>
+        <source>The file&apos;s format; SVG, PDF and TEX (TikZ) have shapes and text, no pixels. Films and many at once: the command “export”</source>
+        <translation>Формат датотеке; SVG, PDF и TEX (TikZ) имају облике и текст, без пиксела. Филмови и више слика одједном: наредба „export”</translation>
     </message>
     <message>
         <source>&amp;Format</source>
@@ -5280,7 +5280,7 @@ An error in {3} is {2} times as large in u and v.</source>
     <name>MatrixAnswerView</name>
     <message>
         <source>A number: 0.5, 1 1/2, √3/2 or 2e-3; arrow keys change the cell (Enter)</source>
-        <translation>Број: 0.5, 1 1/2, √3/2 или 2e-3; стрелице прелазе на друго поље (Enter)</translation>
+        <translation>Број: 0.5; 1 1/2; √3/2 или 2e-3; стрелице прелазе на друго поље (Enter)</translation>
     </message>
 </context>
 <context>
@@ -6310,7 +6310,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>A number: 0.5, 1 1/2, √3/2, 2e-3 or 45°, to three significant digits (Enter)</source>
-        <translation>Број: 0.5, 1 1/2, √3/2, 2e-3 или 45°, на три значајне цифре (Enter)</translation>
+        <translation>Број: 0.5; 1 1/2; √3/2; 2e-3 или 45°, на три значајне цифре (Enter)</translation>
     </message>
 </context>
 <context>
@@ -6387,20 +6387,20 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>нацртај цртеж као PNG, SVG, PDF, TikZ или HTML, без прозора и екрана</translation>
     </message>
     <message>
-        <source>draw a moving picture: a value of --set changes from FIRST to LAST; may be repeated for values that change together</source>
-        <translation>нацртај покретну слику: вредност из --set мења се од FIRST до LAST; може да се понови за вредности које се мењају заједно</translation>
+        <source>draw a film: a value of --set changes from FIRST to LAST; may be repeated for values that change together</source>
+        <translation>нацртај филм: вредност из --set мења се од FIRST до LAST; може да се понови за вредности које се мењају заједно</translation>
     </message>
     <message>
-        <source>draw a moving picture: how --step follows from the step before</source>
-        <translation>нацртај покретну слику: како --step следи из претходног корака</translation>
+        <source>draw a film: how --step follows from the step before</source>
+        <translation>нацртај филм: како --step следи из претходног корака</translation>
     </message>
     <message>
-        <source>draw a moving picture: the ndc pane goes from the world through all stages to the image, and back</source>
-        <translation>нацртај покретну слику: приказ ndc иде од света кроз све фазе до слике, и назад</translation>
+        <source>draw a film: the ndc pane goes from the world through all stages to the image, and back</source>
+        <translation>нацртај филм: приказ ndc иде од света кроз све фазе до слике, и назад</translation>
     </message>
     <message>
-        <source>draw a moving picture: the world is seen from all round, or as far round as DEGREES say, and back; the camera stays where it is</source>
-        <translation>нацртај покретну слику: свет се види са свих страна, или унаоколо колико каже DEGREES, и назад; камера остаје где јесте</translation>
+        <source>draw a film: the world is seen from all round, or as far round as DEGREES say, and back; the camera stays where it is</source>
+        <translation>нацртај филм: свет се види са свих страна, или унаоколо колико каже DEGREES, и назад; камера остаје где јесте</translation>
     </message>
     <message>
         <source>draw all results; FILE as for --json, ending in .png, or in .svg or .pdf for vectors</source>
@@ -6535,16 +6535,16 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>уз --wheels; може да се понови (подразумевано: све)</translation>
     </message>
     <message>
-        <source>of a moving picture: from the last frame to the first, not at all, or there and back in all frames together (default: repeat for --sweep and all round, once for --transition and numbered files, else back-and-forth)</source>
-        <translation>за покретну слику: од последњег кадра на први, без понављања, или тамо и назад укупно у свим кадровима (подразумевано: repeat за --sweep и кружење, once за --transition и нумерисане датотеке, иначе back-and-forth)</translation>
+        <source>of a film: from the last frame to the first, not at all, or there and back in all frames together (default: repeat for --sweep and all round, once for --transition and numbered files, else back-and-forth)</source>
+        <translation>за филм: од последњег кадра на први, без понављања, или тамо и назад укупно у свим кадровима (подразумевано: repeat за --sweep и кружење, once за --transition и нумерисане датотеке, иначе back-and-forth)</translation>
     </message>
     <message>
-        <source>of a moving picture: how many frames (default: 48; of --stages 120, of --transition 24; in .html 21)</source>
-        <translation>за покретну слику: колико кадрова (подразумевано: 48; за --stages 120, за --transition 24; у .html 21)</translation>
+        <source>of a film: how many frames (default: 48; of --stages 120, of --transition 24; in .html 21)</source>
+        <translation>за филм: колико кадрова (подразумевано: 48; за --stages 120, за --transition 24; у .html 21)</translation>
     </message>
     <message>
-        <source>of a moving picture: how many frames a second (default: 25)</source>
-        <translation>за покретну слику: колико кадрова у секунди (подразумевано: 25)</translation>
+        <source>of a film: how many frames a second (default: 25)</source>
+        <translation>за филм: колико кадрова у секунди (подразумевано: 25)</translation>
     </message>
     <message>
         <source>of check and print: letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the lesson&apos;s)</source>
@@ -6575,8 +6575,8 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>за дијаграм, као за цртеж (подразумевано: screen)</translation>
     </message>
     <message>
-        <source>of the chart, as of a figure; with a size of it or of its letters there are no notes below</source>
-        <translation>за дијаграм, као за цртеж; ако је дата његова величина или величина слова, испод нема белешки</translation>
+        <source>of the chart, as of a figure; with --size, --width or --text-size there are no notes below</source>
+        <translation>за дијаграм, као за цртеж; уз --size, --width или --text-size испод нема белешки</translation>
     </message>
     <message>
         <source>of the chart, instead of --size; its height is free</source>
@@ -6615,16 +6615,16 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>прикажи број верзије програма и изађи</translation>
     </message>
     <message>
-        <source>size of all letters of the chart in points (default: 7 if a size or a width is asked)</source>
-        <translation>величина свих слова дијаграма у тачкама (подразумевано: 7 ако је тражена величина или ширина)</translation>
+        <source>size of all letters of the chart in points (default: 7 with --size or --width)</source>
+        <translation>величина свих слова дијаграма у тачкама (подразумевано: 7 уз --size или --width)</translation>
     </message>
     <message>
         <source>size of the window</source>
         <translation>величина прозора</translation>
     </message>
     <message>
-        <source>size of the words in points; 72 points are 300 pixels at scale 1 (default: 7 in a pane of 640 pixels, in proportion in others)</source>
-        <translation>величина речи у тачкама; 72 тачке су 300 пиксела при размери 1 (подразумевано: 7 у приказу од 640 пиксела, у осталима сразмерно)</translation>
+        <source>size of all letters in points; 72 points are 300 pixels at scale 1 (default: 7 in a pane of 640 pixels, in proportion in others)</source>
+        <translation>величина свих слова у тачкама; 72 тачке су 300 пиксела при размери 1 (подразумевано: 7 у приказу од 640 пиксела, у осталима сразмерно)</translation>
     </message>
     <message>
         <source>size on paper, such as 120mmx80mm, in mm, cm or in; or in pixels at scale 1, 300 an inch (default: 640x640 for each pane, or its own size for the image alone); in .html, of each pane</source>
@@ -6904,7 +6904,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>The next review is on {0}.</source>
-        <translation>Следеће понављање је {0}.</translation>
+        <translation>Следеће понављање: {0}</translation>
     </message>
     <message>
         <source>Go on with it</source>
@@ -7955,7 +7955,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>must be a number like 0.5, 1/2, √3/2 or 2e-3; {0} cannot be read as part of one</source>
-        <translation>мора да буде број као 0.5, 1/2, √3/2 или 2e-3; {0} не може да се чита као његов део</translation>
+        <translation>мора да буде број као 0.5; 1/2; √3/2 или 2e-3; {0} не може да се чита као његов део</translation>
     </message>
     <message>
         <source>must be a number of at most {0} characters</source>
@@ -8901,10 +8901,6 @@ An error in {3} is {2} times as large in u and v.</source>
     <message>
         <source>Test yourself</source>
         <translation>Испитајте се</translation>
-    </message>
-    <message>
-        <source>Number of the test</source>
-        <translation>Број теста</translation>
     </message>
     <message>
         <source>The same topics and number give everyone the same test</source>

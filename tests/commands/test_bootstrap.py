@@ -4,6 +4,7 @@ Each test has a checkout of its own in a temporary folder: the real ``app/bootst
 ``app/__main__.py``, and a ``pyproject.toml`` that asks for "frustum-probe" instead of VTK and Qt.
 """
 
+import ast
 import contextlib
 import gc
 import io
@@ -884,10 +885,32 @@ def test_a_python_that_is_too_old_is_refused(
     spec = spec_from_file_location("old", bootstrap.ROOT / "app" / "__init__.py")
     assert spec is not None and spec.loader is not None
     monkeypatch.setattr(sys, "version_info", (3, 9, 2))
+    monkeypatch.setattr(sys, "version", "3.9.2 (default, Feb 28 2021)")
     with pytest.raises(SystemExit) as end:
         spec.loader.exec_module(module_from_spec(spec))
     assert end.value.code == 3
-    assert "this is Python 3.9" in capsys.readouterr().err
+    assert "this is Python 3.9.2 (" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("file", ["__main__.py", "app/__init__.py"])
+def test_every_python_can_read_what_refuses_it(file: str) -> None:
+    """RHEL 8 has 3.6 as python3, which knows no future annotations; python may be 2.7."""
+    tree = ast.parse((bootstrap.ROOT / file).read_text(encoding="ascii"), feature_version=(3, 4))
+    newer = ast.JoinedStr, ast.AnnAssign, ast.FunctionDef
+    assert not any(isinstance(node, newer) for node in ast.walk(tree))
+    imported = [node.module for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)]
+    assert "__future__" not in imported
+
+
+def test_inside_an_archive_the_program_is_one_sentence(tmp_path: Path) -> None:
+    archive = tmp_path / "lab.zip"
+    with zipfile.ZipFile(archive, "w") as packed:
+        for path in (bootstrap.ROOT / "__main__.py", *(bootstrap.ROOT / "app").glob("*.py")):
+            packed.write(path, path.relative_to(bootstrap.ROOT))
+    command = [sys.executable, str(archive), "--version"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    said = f"frustum-lab: it cannot run inside an archive; unpack {archive}\n"
+    assert (done.returncode, done.stderr) == (3, said)
 
 
 def test_installed_by_pip_there_is_nothing_to_do(
@@ -941,6 +964,11 @@ def test_the_environment_of_a_folder_that_is_read_only_is_the_users(
     monkeypatch.setattr(sys, "platform", platform)
     folder = bootstrap.Environment(Path("/read-only")).folder
     assert folder == own_home / place / "frustum-lab" / ".venv"
+    for name in ("LOCALAPPDATA", "XDG_DATA_HOME"):  # each start would have a folder of its own
+        monkeypatch.setenv(name, "~/data")
+    assert bootstrap.Environment(Path("/read-only")).folder == folder
+    monkeypatch.setattr(os.path, "expanduser", lambda path: path)  # nobody knows this user
+    assert bootstrap.Environment(Path("/read-only")).folder.is_absolute()
 
 
 @pytest.mark.parametrize(

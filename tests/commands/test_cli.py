@@ -1520,3 +1520,25 @@ def test_the_start_card_is_not_shown_over_a_document(
     monkeypatch.setattr(application, "run_window", run_window)
     assert run_here(*asked).returncode == 0
     assert [options.start_card for options in shown] == [is_shown]
+
+
+OTHER_SETTINGS = """mathtext.default: rm
+path.sketch: (5, 100, 2)
+pdf.compression: 0
+savefig.bbox: tight
+text.hinting: none
+text.kerning_factor: 6
+"""
+
+
+@pytest.mark.parametrize("ending", ["png", "svg", "pdf"])
+def test_a_figure_is_the_same_whatever_matplotlib_is_set_to(ending: str, tmp_path: Path) -> None:
+    """A matplotlibrc counts in the current folder and at home, MPLBACKEND comes from a notebook."""
+    (tmp_path / "matplotlibrc").write_text(OTHER_SETTINGS, encoding="utf-8")
+    made = []
+    for set_to in ({}, {"MATPLOTLIBRC": str(tmp_path), "MPLBACKEND": "nosuch"}):
+        path = tmp_path / f"{len(made)}.{ending}"
+        done = run("export", path, "--size", "400x200", "--set", "scene=depth-buffer", **set_to)
+        assert (done.returncode, done.stderr) == (0, "")
+        made.append(path.read_bytes())
+    assert made[0] == made[1]

@@ -1,4 +1,4 @@
-"""Moving pictures: ``export --sweep``, ``--orbit``, ``--stages`` and ``--transition``."""
+"""Films: ``export --sweep``, ``--orbit``, ``--stages`` and ``--transition``."""
 
 import math
 import os

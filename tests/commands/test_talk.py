@@ -20,7 +20,7 @@ from tests.support.html import Read
 from tests.support.pdf import content_of, pages_of, printed
 from widgets.parts.messages import read_text
 from widgets.program.handout import paged
-from widgets.program.handout_content import EquationTables, contents
+from widgets.program.handout_content import EquationTables, StepFigure, contents
 
 pytestmark = pytest.mark.usefixtures("display")
 """A check measures texts; it would otherwise begin Qt on the platform without a screen."""
@@ -293,6 +293,41 @@ def test_the_handout_of_a_lesson_has_choices_and_answers_of_exercises(talk: Path
     assert f"What is twice {n}?  \n**A** {2 * n}  \n**B** {n * n}" in posed
     assert f"Where are {m} %?\n\n**({m / 100 * 1280:g}, 360)**" in told
     assert f"Where are {m} %?" in posed and "360" not in posed
+
+
+WIDE = """```exercise {name}
+vary f: 20..100 step 1
+state: lens.fov_y_deg={{=f}}
+The picture is {{=f}}° high. What is half of it?
+value: f/2
+unit: °
+{hide}
+```
+"""
+
+
+@pytest.mark.parametrize("answers", [True, False])
+def test_an_exercise_of_a_handout_has_the_picture_with_its_own_numbers(
+    talk: Path, answers: bool
+) -> None:
+    """Unless it must not be seen, or could be measured on paper."""
+    hidden = {
+        "shown": "",
+        "numbers": "hide: numbers",
+        "scale": "hide: scale",
+        "pane": "hide: image",
+    }
+    exercises = "".join(WIDE.format(name=name, hide=hide) for name, hide in hidden.items())
+    talk.write_text(DRAWN[: DRAWN.index("```exercise")] + exercises, encoding="utf-8")
+    course = Course(read(talk))
+    angles = [
+        each.document.projection.lens.fov_y_deg
+        for each in contents(course, 0, answers)
+        if isinstance(each, StepFigure)
+    ]
+    shown, numbers, *_ = (course.at(0).variant(each, 1) for each in course.lesson.steps[0].asked)
+    own = course.shown(0).document.projection.lens.fov_y_deg
+    assert angles == [own, shown.numbers["f"], numbers.numbers["f"]]
 
 
 def test_a_long_title_ends_before_the_number_of_the_page(talk: Path) -> None:

@@ -357,6 +357,8 @@ def test_a_calibration_without_a_pose_keeps_the_camera() -> None:
            "  data: [0.9, 0, 0, 0, 1, 0, 0, 0, 1]\n")  # fmt: skip
     projection = seen("ros.yaml", ros)
     assert projection.camera == Document().projection.camera
+    for model in ('"plumb_bob"', "'plumb_bob'", "radial-tangential"):  # as rostopic echo and EuRoC
+        assert seen("ros.yaml", ros.replace("plumb_bob", model)) == projection
     k = (438.783367, 437.302876, 305.593336, 243.738352)
     assert projection.intrinsics == pytest.approx(k, rel=1e-13)
     assert projection.lens.near == Document().projection.lens.near

@@ -1,5 +1,6 @@
 """Mesh files: what is read from each format, and what is refused before it does harm."""
 
+import base64
 import json
 import math
 import os
@@ -170,7 +171,7 @@ def test_names_may_have_capital_endings_and_any_letters(tmp_path: Path) -> None:
         "f 1/1 2/2 3/3", "f 1/9 2/2 3/3", "f 1//9 2//9 3//9", "f 1// 2// 3//", "f 1/1/ 2/2/ 3/3/",
         "f +1 +2 +3", "f -3 -2 -1", "f -3/-9 2 3//1", "f\t1  2\t3 ", "  f 1 2 3", "f 1 2 3 # a",
         "f 1 \\\n2 3", "f 1 2 \\\r\n3", "usemtl\nf 1 2 3", "usemtl \ng\nf 1 2 3", "f 1 2 3\r",
-        "vt\nvn x\nf 1 2 3",
+        "vt\nvn x\nf 1 2 3", "# C:\\models\\\nf 1 2 3", "f 1 2 3 # \\\nv 4 4 4",
     ],
 )  # fmt: skip
 def test_corners_of_obj_are_read_as_other_programs_read_them(face: str, tmp_path: Path) -> None:
@@ -570,6 +571,18 @@ def test_gltf_with_its_data_in_a_file_beside_it(tmp_path: Path) -> None:
     assert load(str(tmp_path / "m.gltf")).upper == tuple(PYRAMID.max(axis=0))
 
 
+def test_gltf_data_in_its_description_may_have_escapes(tmp_path: Path) -> None:
+    """Base64 has + and /, which some escape as in any address."""
+    content, body = gltf_parts(np.array([[0, 0, 0], [1, 0.999999, 0], *PYRAMID[2:]]))
+    address = f"data:application/octet-stream;base64,{base64.b64encode(body).decode()}"
+    found = []
+    for escaped in (address, address.translate({ord(c): f"%{ord(c):02X}" for c in "+/="})):
+        content["buffers"][0]["uri"] = escaped
+        (tmp_path / "m.gltf").write_text(json.dumps(content), encoding="utf-8")
+        found.append(mesh_files.read(tmp_path / "m.gltf").points.tolist())
+    assert "%2B" in escaped and "%2F" in escaped and found[0] == found[1]
+
+
 def test_gltf_meshes_of_several_nodes_are_joined(tmp_path: Path) -> None:
     def second(content: dict[str, Any]) -> None:
         content["nodes"].append({"mesh": 0, "translation": [10, 0, 0]})
@@ -825,6 +838,9 @@ TEXTS: dict[str, tuple[str, str, tuple[object, ...]]] = {
         REFUSALS["not-finite-line"], (12, 14),
     ),
     "prose.obj": ("Dear all\n", REFUSALS["no-faces"], (0,)),
+    "surface.obj": (THREE + "deg 1 1\nsurf 0 1 0 1 1 2 3\nend\n", REFUSALS["no-faces"], (3,)),
+    "curve.obj": (THREE + "deg 2\ncurv 0 1 1 2 3\nend\n", REFUSALS["no-faces"], (3,)),
+    "outline.obj": (THREE + "fo 1 2 3\n", REFUSALS["no-faces"], (3,)),
     "line9.obj": (THREE + "l 1 2 9\n", REFUSALS["no-such-vertex-line"], (4, 3)),
     "point9.obj": (THREE + "p -4\n", REFUSALS["no-such-vertex-line"], (4, 3)),
     "lineword.obj": (THREE + "l 1 2 a\n", REFUSALS["damaged-line"], (4, "OBJ")),

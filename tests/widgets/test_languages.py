@@ -2,11 +2,13 @@
 
 import re
 from collections.abc import Iterator
+from datetime import date, timedelta
 from pathlib import Path
 from typing import Any
 
 import pytest
-from PySide6.QtWidgets import QApplication, QMenu, QMenuBar
+from PySide6.QtCore import QLocale
+from PySide6.QtWidgets import QApplication, QMenu, QMenuBar, QRadioButton
 
 from app import languages
 from app.document.document import Document
@@ -16,14 +18,18 @@ from app.lecture.equation_form import laid_out
 from app.lecture.titles import stage_title
 from app.lessons import marking
 from app.lessons.contents import contained
+from app.lessons.practice import Waiting, exercises_of, topics
+from app.lessons.record import Attempt
 from app.model.projection import Perspective
 from app.model.refusal import REFUSALS, Refusal
 from app.scenes.scene import BUILT_IN
 from tests.support.layout import cut, overlapping
 from tests.support.window import MakeWindow, settle, show_scene
+from tests.widgets.test_lesson_card import texts
 from widgets.parts.messages import TranslatedWords, sentence
 from widgets.parts.translator import Translator
 from widgets.window.main_window import MainWindow
+from widgets.window.practice import next_review
 from widgets.window.settings import data_folder
 
 OTHERS = [each for each in languages.LANGUAGES if each != languages.ENGLISH]
@@ -38,6 +44,18 @@ Koliki je kut?
 Koliki je?
 value: fov
 wrong angle-linear: 2*fov
+```
+"""
+
+VOTE = """---
+title: Vote
+---
+# Vote {#vote}
+```predict straight
+What comes of it?
+- [ ] A line
+  says: It is bent.
+- [x] An arc
 ```
 """
 
@@ -126,6 +144,53 @@ def test_numbers_beside_words_have_a_comma(speak: Any, make_window: MakeWindow) 
     assert "." not in re.sub(r"\.(?!\d)", "", status.cost.toolTip())
 
 
+@pytest.mark.parametrize("language", ["en", "hr", "sr", "sr-Latn", "et"])
+def test_the_sentence_of_the_next_review_ends_in_one_full_stop(language: str, speak: Any) -> None:
+    """Croatian and Serbian dates end in one themselves."""
+    speak(language)
+    before, later = QLocale(), date.today() + timedelta(days=3)
+    QLocale.setDefault(QLocale(language))
+    try:
+        said = next_review(Waiting((), 1, later))
+    finally:
+        QLocale.setDefault(before)
+    assert str(later.year) in said and re.search(r"[^.]\.$", said)
+
+
+@pytest.mark.parametrize("language", ["hr", "sr", "et"])
+def test_examples_of_numbers_have_one_sign_between_them(language: str, speak: Any) -> None:
+    speak(language)
+    with pytest.raises(Refusal) as refusal:
+        marking.read("1,5,5")
+    assert "0,5; 1/2; √3/2" in sentence(refusal.value)
+
+
+@pytest.mark.undrawn
+@pytest.mark.parametrize(
+    ("language", "marks"),
+    [("en", "“”"), ("hr", "„”"), ("sr", "„”"), ("sr-Latn", "„”"), ("et", "„“")],
+)
+def test_a_language_has_its_own_quotation_marks(
+    language: str, marks: str, speak: Any, make_window: MakeWindow, tmp_path: Path
+) -> None:
+    speak(language)
+    opened, closed = marks
+    with pytest.raises(Refusal) as refusal:
+        marking.read("abc")
+    assert f"{opened}abc{closed}" in sentence(refusal.value)
+    file = tmp_path / "vote.md"
+    file.write_text(VOTE, "utf-8")
+    window = make_window()
+    window.lesson_card.open(file)
+    settle()
+    (view,) = window.lesson_card.page.blocks
+    view.findChildren(QRadioButton)[0].click()
+    view.commit()
+    settle()
+    said = texts(window.lesson_card)
+    assert f"{opened}A line{closed}" in said and f"{opened}An arc{closed}" in said
+
+
 def test_an_equation_has_a_comma(speak: Any) -> None:
     speak("hr")
     document = set_values(Document(), ["object.rotate_deg=0,0,30"])
@@ -183,6 +248,35 @@ def test_another_language_keeps_what_is_compared(
     assert pictures[0].held.projection.lens.near == near
     assert second.store.document.projection.lens.near == near / 2
     assert second.menus.compare.isChecked()
+
+
+@pytest.mark.undrawn
+@pytest.mark.parametrize("is_test", [True, False])
+def test_another_language_goes_on_with_a_test_or_a_review(
+    is_test: bool, speak: Any, make_window: MakeWindow
+) -> None:
+    window = make_window()
+    if is_test:
+        window.practice.begin_test(["L3"], 4)
+        window.lesson_card.go_to(1)
+    else:
+        lesson, exercise = next(exercises_of(topics()["L3"])).key
+        window.record.add(Attempt(1_700_000_000, lesson, exercise, 1, "1", "wrong"))
+        window.practice.review()
+    before = window.lessons.player
+    assert before is not None and before.sheet is not None
+    window.choose_language("hr")
+    assert window.work_left is not None
+    speak("hr")
+    second = make_window(window.work_left.document)
+    second.go_on(window.work_left)
+    player = second.lessons.player
+    assert player is not None and player.sheet is not None and not second.messages.text
+    assert (player.is_test, player.place) == (is_test, before.place)
+    assert player.lesson.title == ("Test 4: L3" if is_test else "Ponavljanje")
+    for now, then in zip(player.sheet.items, before.sheet.items, strict=True):
+        assert now.variant.seed == then.variant.seed
+        assert now.variant.question.text != then.variant.question.text
 
 
 @pytest.mark.undrawn

@@ -23,6 +23,12 @@ from widgets.parts.layouts import push_button
 from widgets.program import application, opengl
 from widgets.window.help import ways_to_press
 
+OFF_SCREEN = """
+import sys
+sys.path.insert(0, sys.argv[1])
+from widgets.parts.translator import find_plugins, off_screen_application
+print(off_screen_application().platformName(), find_plugins())
+"""
 SOFTWARE = opengl.OpenGL("3.3 Mesa 20.0", "llvmpipe", software=True)
 CARD = opengl.OpenGL("4.6", "a graphics card", software=False)
 
@@ -202,3 +208,16 @@ def test_words_on_paper_have_the_font_that_comes_with_matplotlib(
     assert QFontInfo(typeset.words_font()).family() == "DejaVu Sans"
     typeset.words_font()
     assert len(brought) == 1 and re.search(r"matplotlib.*DejaVuSans\.ttf$", brought[0])
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="links to folders")
+@pytest.mark.parametrize("name", ["Horvat, Ivan", "lab; 2", 'a "b" c', "a\\b", "plain"])
+def test_qt_finds_its_plugins_in_a_folder_of_any_name(name: str, tmp_path: Path) -> None:
+    """PySide's own text for Qt would end the path, and Qt end the program."""
+    (tmp_path / name).mkdir()
+    plugins = Path(PySide6.__path__[0], "Qt", "plugins")
+    for package in ("PySide6", "shiboken6"):
+        (tmp_path / name / package).symlink_to(plugins.parents[2] / package)
+    command = [sys.executable, "-c", OFF_SCREEN, str(tmp_path / name)]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+    assert done.stdout.split(maxsplit=1) == ["offscreen", f"{plugins.resolve()}\n"], done.stderr

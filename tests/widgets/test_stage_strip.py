@@ -475,6 +475,22 @@ def test_play_runs_to_the_picture_resting_at_each_stop(window: MainWindow) -> No
 
 
 @pytest.mark.undrawn
+@pytest.mark.parametrize("floats", [False, True])
+def test_play_goes_on_in_another_scene(window: MainWindow, floats: bool) -> None:
+    """It would stand between two stops."""
+    strip, before = window.strip, window.store.document.scene
+    if floats:
+        window.slots.toggle_float("ndc")
+    strip.go_to(0.0)
+    strip.play()
+    strip.advance(STEP_S / 2.0)
+    window.guide.choose("off-axis-window")
+    settle()
+    assert window.store.document.scene == "off-axis-window" != before
+    assert strip.playing and 0.5 <= strip.position < 1.0
+
+
+@pytest.mark.undrawn
 def test_play_moves_by_itself_and_a_hand_or_a_hidden_pane_stops_it(
     window: MainWindow, qtbot: object
 ) -> None:

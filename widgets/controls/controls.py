@@ -16,6 +16,7 @@ from typing import Any
 from PySide6.QtCore import QPoint, Qt, QTimer, Signal
 from PySide6.QtWidgets import QWidget
 
+from app.languages import quoted
 from app.lecture.highlight import Highlight, made_of
 from app.model.lenses.perspective import FOV_Y
 from app.model.parameter import PARTS, Computed
@@ -343,10 +344,13 @@ class Controls(Dock, RowHolder):
         """Say which lenses have the found controls, if the current lens has none of them."""
         if matches:
             return ""
+        opened, _, closed = quoted("|").partition("|")
         lines = [
             self.tr("{0}: only with the lens “{1}”.").format(
                 each.row.name,
-                "”, “".join(translated(LENSES[kind].title, "Lens") for kind in each.lenses),
+                f"{closed}, {opened}".join(
+                    translated(LENSES[kind].title, "Lens") for kind in each.lenses
+                ),
             )
             for each in self._bindings.values()
             if each.row in others

@@ -17,7 +17,7 @@ from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent, QKeyEvent
 from PySide6.QtWidgets import QFrame, QPushButton
 
-from app.languages import with_comma
+from app.languages import quoted, with_comma
 from app.lecture.letters import Letters, in_letters
 from app.model.limits import OTHER_SIDE, is_number
 from app.model.parameter import Parameter
@@ -81,7 +81,7 @@ def number_text(value: object) -> str:
 
 def _value_text(value: object) -> str:
     if isinstance(value, str):
-        return f"“{value if len(value) <= 40 else value[:37] + '...'}”"
+        return quoted(value if len(value) <= 40 else f"{value[:37]}...")
     return number_text(value) if is_number(value) else format_value(value)
 
 

@@ -9,10 +9,9 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import partial
 
-from PySide6.QtCore import QLibraryInfo
-
 from app import bootstrap, system_packages
 from app.languages import said
+from widgets.parts.translator import find_plugins
 from widgets.program.opengl import WITHOUT_OPENGL, DisplayError
 
 X_RETRIES_S = (0.1, 0.4, 0.0)  # pauses after attempts to reach an X server, which may be restarting
@@ -76,10 +75,9 @@ def _wayland_answers() -> bool:
 
 
 def _reach_x11(display: str) -> Callable[[], object]:
-    plugins = QLibraryInfo.path(QLibraryInfo.LibraryPath.PluginsPath)
     try:
         # Qt's own library for X, to find missing system libraries.
-        ctypes.CDLL(os.path.join(plugins, "platforms", "libqxcb.so"))
+        ctypes.CDLL(os.path.join(find_plugins(), "platforms", "libqxcb.so"))
         xcb = ctypes.CDLL("libxcb.so.1")
     except OSError as error:
         raise DisplayError("missing-library", error, bootstrap.PROGRAM) from error

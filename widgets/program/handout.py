@@ -74,8 +74,8 @@ class _HandoutSheet:
                  for each in contents(self._course, place, self._answers)]  # fmt: skip
         parts = [each for each in printed if each[1]]
         for (each, blocks), (after, _) in pairwise([*parts, ("", [])]):
-            is_kept = bool(after) and (
-                not self._answers or isinstance(after, StepFigure | EquationTables | PanelNumbers)
+            is_kept = isinstance(after, EquationTables | PanelNumbers) or (
+                bool(after) and isinstance(after, StepFigure) == self._answers
             )
             is_table = isinstance(each, EquationTables | PanelNumbers)
             for block in blocks:

@@ -86,12 +86,13 @@ def contents(course: Course, place: int, answers: bool) -> Iterator[Content]:
     if "equation" not in shown.view.slide:  # else it has its matrices
         yield _panel(shown, course.shown(place - 1).document if place else None)
     number = 0
-    for _, _, part, own in asked:
+    for block, (_, _, part, own) in zip(step.asked, asked, strict=True):
+        text = part.with_answer(answer_of(part, own)) if answers else part.posed()
+        is_own = own.document != shown and block.hides <= {"numbers", "lens"}
+        yield StepFigure(own.document, [text], has_question=not answers) if is_own else text
         if not answers:
-            yield part.posed()
             yield ToWrite()
             continue
-        yield part.with_answer(answer_of(part, own))
         whys = [part.why] if part.why else []
         if part.show is not None:
             after = own.shown_by(part.show)

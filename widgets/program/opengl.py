@@ -16,6 +16,7 @@ from PySide6.QtCore import QCoreApplication, Qt, qInstallMessageHandler
 from PySide6.QtGui import QGuiApplication, QOffscreenSurface, QOpenGLContext, QSurfaceFormat
 
 from app.languages import said
+from widgets.parts.translator import find_plugins
 
 NEEDED = (3, 2)
 _GL_RENDERER, _GL_VERSION = 0x1F01, 0x1F02
@@ -63,6 +64,7 @@ def prepare() -> None:
     surface_format.setProfile(QSurfaceFormat.OpenGLContextProfile.CoreProfile)
     surface_format.setSamples(0)
     QSurfaceFormat.setDefaultFormat(surface_format)
+    find_plugins()
     QCoreApplication.setAttribute(Qt.ApplicationAttribute.AA_ShareOpenGLContexts)
 
 

@@ -187,7 +187,8 @@ class Arrangement(QObject):
         self._controls.show_controls(view.controls)
         self._world.show(self._scene_fixed if view.fixed is None else view.fixed, view.layers)
         self._world.name(view.names)
-        self._strip.go_to(view.stage)
+        if view.stage != self._strip.position:  # or it would stop playing
+            self._strip.go_to(view.stage)
         self._frame.go_to(STEPS.index(view.frame_step))
         self._matrices.choose_letters(view.letters)
         if (view.probes, view.pinned) != (self._probes.probes, self._probes.pinned):

@@ -23,6 +23,7 @@ from PySide6.QtWidgets import QMainWindow, QSplitter, QWidget
 from app.document.document import Document
 from app.document.store import Origin, Store
 from app.drawings.style import Style
+from app.lessons.practice import Sheet
 from app.lessons.record import Record
 from app.model.refusal import Refusal
 from app.scenes.scene import Scene
@@ -96,6 +97,7 @@ class Work(NamedTuple):
     path: Path | None
     lesson: Path | None = None
     step: str = ""
+    sheet: Sheet | None = None  # a test or a review instead of a lesson's file
     store: Store | None = None
     covered: Mapping[Origin, Path] = MappingProxyType({})  # copies of unsaved work
 
@@ -339,8 +341,8 @@ class MainWindow(QMainWindow):
         self.present.leave()
         self.history.stand_still()
         self.settings.language = language
-        origin, lesson = self.store.origin, self.lessons.lesson
-        at = (None, "") if lesson is None else (lesson.path, lesson.steps[self.lessons.place].name)
+        origin, player = self.store.origin, self.lessons.player
+        at = (player.course.file, player.step.name, player.sheet) if player else (None, "", None)
         given = self.store.seen, origin.saved, origin.path, *at, self.store, self.recovery.covered
         self.work_left = Work(*given)
         self.close()
@@ -351,7 +353,9 @@ class MainWindow(QMainWindow):
             self.store.take_steps(work.store)
             self.recovery.take_over(work.covered)
         is_open = work.lesson is not None and self.lesson_card.open(work.lesson, work.step)
-        if is_open and work.store is not None:
+        if work.sheet is not None:  # the exercises are drawn again, in the other language
+            (self.practice.go_on if work.sheet.is_test else self.practice.review)()
+        elif is_open and work.store is not None:
             self.lessons.show_left(work.document)
 
     # -- showing the document

@@ -57,7 +57,7 @@ class SelfTestDialog(QtWidgets.QDialog):
         area.setMinimumWidth(holder.sizeHint().width() + 2 * area.frameWidth() + 20)
         self.number = QtWidgets.QLineEdit(str(number))
         self.number.setValidator(QIntValidator(1, LARGEST_SEED, self))
-        self.number.setAccessibleName(self.tr("Number of the test"))
+        self.number.setAccessibleName(self.tr("Test number"))
         set_tip(self.number, self.tr("The same topics and number give everyone the same test"))
         self.number.setMaximumWidth(5 * self.fontMetrics().height())
         self.number.textChanged.connect(self._show_count)

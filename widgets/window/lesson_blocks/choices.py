@@ -4,6 +4,7 @@ from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QKeyEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QButtonGroup, QRadioButton, QWidget
 
+from app.languages import of_lessons, quoted
 from app.lessons.blocks.block import Verdict
 from app.lessons.blocks.choices import Choices
 from app.lessons.player import PlayedBlock
@@ -179,4 +180,4 @@ class ChoiceView(BlockView):
 def _quoted(text: str) -> str:
     """Quote a choice within a sentence, unless it is a number."""
     text = text.rstrip(".")
-    return f"“{text}”" if " " in text else text
+    return quoted(text, of_lessons()) if " " in text else text
