@@ -902,6 +902,17 @@ def test_every_python_can_read_what_refuses_it(file: str) -> None:
     assert "__future__" not in imported
 
 
+def test_inside_an_archive_the_program_is_one_sentence(tmp_path: Path) -> None:
+    archive = tmp_path / "lab.zip"
+    with zipfile.ZipFile(archive, "w") as packed:
+        for path in (bootstrap.ROOT / "__main__.py", *(bootstrap.ROOT / "app").glob("*.py")):
+            packed.write(path, path.relative_to(bootstrap.ROOT))
+    command = [sys.executable, str(archive), "--version"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    said = f"frustum-lab: it cannot run inside an archive; unpack {archive}\n"
+    assert (done.returncode, done.stderr) == (3, said)
+
+
 def test_installed_by_pip_there_is_nothing_to_do(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
