@@ -11,6 +11,7 @@ from PySide6.QtGui import (
     QCursor,
     QEnterEvent,
     QFocusEvent,
+    QFont,
     QFontInfo,
     QHelpEvent,
     QIcon,
@@ -522,6 +523,21 @@ def is_black(window: MainWindow) -> bool:
 
 
 @pytest.mark.undrawn
+@pytest.mark.undrawn
+def test_icons_of_the_tool_bar_fit_a_large_font_of_the_system(
+    make_window: MakeWindow, qapp: QApplication
+) -> None:
+    own = qapp.font()
+    large = QFont(own)
+    large.setPointSizeF(2.5 * own.pointSizeF())
+    qapp.setFont(large)
+    try:
+        tools = make_window().menus.tools
+        assert tools.iconSize().height() > QFontInfo(tools.font()).pixelSize()
+    finally:
+        qapp.setFont(own)
+
+
 def test_b_blanks_the_screen_and_every_exit_restores_it(window: MainWindow) -> None:
     press(window, Qt.Key.Key_B)
     assert not is_black(window), "only while presenting"

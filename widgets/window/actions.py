@@ -266,7 +266,7 @@ class Actions(QObject):
         self.tools = tools = QtWidgets.QToolBar(self.tr("Tools"))
         tools.setObjectName("tools")
         tools.setMovable(False)
-        tools.setIconSize(QSize(ICON_PX, ICON_PX))
+        self.fit_icons()
         self.scene_box.activated.connect(
             lambda index: self.scene_chosen.emit(self.scene_box.itemData(index))
         )

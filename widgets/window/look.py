@@ -21,6 +21,7 @@ from widgets.parts import icons, palette
 from widgets.parts.kept_style import KeptStyle
 from widgets.parts.messages import TranslatedWords
 from widgets.parts.panel import EVERYTHING, Changed, ShownData
+from widgets.window.present import readable_px
 from widgets.window.settings import Settings
 from widgets.window.slots import panes_of_slide
 
@@ -220,7 +221,7 @@ class Look(QObject):
 
     def set_presenting(self, on: bool) -> None:
         """Use sizes for a class, or the ordinary ones."""
-        self._screen_px = float(self._window.screen().size().height()) if on else 0.0
+        self._screen_px = readable_px(self._window) if on else 0.0
         self._dress()
 
     def _dress(self) -> None:

@@ -3,8 +3,8 @@
 With several screens, the class sees the secondary one and the speaker's notes are on the primary
 one. `Screens` remembers for each pair of screens whether they are swapped.
 
-Letters, lines and handles are a share of the screen's height, so that the back row can read them
-on every projector.
+Letters, lines and handles are a share of the screen's height, or of the width of an upright one, so
+that the back row can read them on every projector.
 """
 
 from PySide6.QtCore import QByteArray, QEvent, QObject, Qt, QTimer, Signal
@@ -14,6 +14,11 @@ from PySide6.QtWidgets import QApplication, QMainWindow, QToolBar, QWidget
 from widgets.window.settings import Settings
 
 TOP_EDGE_PX = 3  # the tool bar appears when the mouse is this close to the top of the screen
+
+
+def readable_px(window: QWidget) -> float:
+    """Return the height of a window's screen, or its width if it is upright: lines are shorter."""
+    return float(min(window.screen().size().toTuple()))
 
 
 class Screens:
@@ -89,7 +94,7 @@ class Present(QObject):
             self._window.setGeometry(both[0].geometry())
             self._window.windowHandle().setScreen(both[0])
         self._window.setWindowState(self._state | Qt.WindowState.WindowFullScreen)
-        self.screen_px = float(self._window.screen().size().height())
+        self.screen_px = readable_px(self._window)
 
     def swap(self) -> None:
         if self.screens.swap():
@@ -192,7 +197,7 @@ class Present(QObject):
                 self.show_tools(False)
         elif kind == QEvent.Type.Resize:
             self._cover()
-            if self._window.screen().size().height() != self.screen_px:  # one was unplugged
+            if readable_px(self._window) != self.screen_px:  # one was unplugged
                 QTimer.singleShot(0, self, self._move)
         elif (
             isinstance(event, QWindowStateChangeEvent)
