@@ -201,6 +201,13 @@ def test_tab_goes_as_one_sees_and_is_seen(window: MainWindow, qtbot: QtBot) -> N
         assert QApplication.focusWidget() is name
 
 
+@pytest.mark.undrawn
+def test_every_stop_of_the_overview_has_a_name(window: MainWindow) -> None:
+    window.practice.show_overview()
+    activate(window.practice.overview)
+    assert all(map(said, stops(window.practice.overview)))
+
+
 def test_no_layout_is_walked_by_its_items() -> None:
     """An item is not a QObject: PySide would take what lies at its address later, and crash."""
     for path in (ROOT / "widgets").rglob("*.py"):

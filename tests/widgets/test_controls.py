@@ -26,6 +26,7 @@ from PySide6.QtWidgets import (
     QLineEdit,
     QSlider,
     QToolButton,
+    QWidget,
 )
 
 from app.document.document import IMAGE, Document, lens_fields
@@ -70,6 +71,7 @@ from tests.support.controls import (
 from tests.support.layout import cut
 from tests.support.shown import show
 from widgets.controls.controls import Controls
+from widgets.controls.dock import ControlTexts, find
 from widgets.parts import messages
 from widgets.parts.messages import all_digits
 from widgets.parts.number_rows import QUIET_MS, NumberRow
@@ -1450,6 +1452,13 @@ def test_a_control_is_found_by_each_of_its_names(controls: Column, record: Recor
         assert controls.search.text() == "" and controls.rows["azimuth_deg"].isVisible()
         assert {key: section.is_open for key, section in controls.sections.items()} == open_before
         assert record.events == []
+
+
+@pytest.mark.parametrize("typed", ["zarisna", "žarišna", "ŽARIŠ", "medu", "među", "duljina zar"])
+def test_a_search_needs_no_accents(typed: str, qapp: QApplication) -> None:
+    part, other = QWidget(), QWidget()
+    texts = {part: ControlTexts("Žarišna duljina među", ""), other: ControlTexts("Zakret", "")}
+    assert find(typed, texts) == {part}
 
 
 def test_a_search_leaves_no_title_without_a_row(controls: Column) -> None:

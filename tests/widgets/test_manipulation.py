@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, QRectF, Qt, QTimer
-from PySide6.QtGui import QHelpEvent, QWheelEvent
+from PySide6.QtGui import QAction, QHelpEvent, QWheelEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLabel
+from PySide6.QtWidgets import QApplication, QDialog, QLabel, QMenu, QStyle, QStyleOptionSlider
 
 from app.drawings import WORDS
 from app.drawings.image import ImageDrawing
@@ -520,6 +520,39 @@ def test_another_lens_ends_the_drag(window: MainWindow) -> None:
     assert model(window).lens == LENSES["orthographic"]
     release(window, "world", point_of(spot) + QPoint(20, 20))
     assert not window.store.in_gesture
+
+
+@pytest.mark.parametrize("kind", [QDialog, QMenu])
+def test_a_button_that_is_released_over_a_dialog_or_a_menu_ends_the_drag(
+    window: MainWindow, kind: Any
+) -> None:
+    activate(window)
+    canvas, slider = window.panes["world"].canvas, window.controls.rows["near"].slider
+    _, spot = mark(window, "corner")
+    handle = QStyleOptionSlider()
+    slider.initStyleOption(handle)
+    part = QStyle.ComplexControl.CC_Slider, handle, QStyle.SubControl.SC_SliderHandle, slider
+    thumb = slider.style().subControlRect(*part).center()
+    for widget, place in ((canvas, point_of(spot)), (slider, thumb)):
+        widget.setFocus()
+        QTest.mousePress(widget, LEFT, NONE, place)
+        move_mouse(widget, place + QPoint(8, 8))
+        move_mouse(widget, place + QPoint(16, 8))
+        assert window.store.in_gesture
+        over = kind(window)
+        over.addAction(QAction("an item", over))
+        over.open() if kind is QDialog else over.popup(window.pos())
+        activate(over) if kind is QDialog else settle()
+        over.close()  # where the button was released
+        activate(window)
+        move_mouse(widget, place + QPoint(30, 30), Qt.MouseButton.NoButton)
+        is_by_menu = kind is QMenu and widget is canvas  # then the next press ends it
+        assert window.store.in_gesture == is_by_menu and not slider.isSliderDown()
+        before = model(window)
+        QTest.mousePress(canvas, LEFT, NONE, QPoint(9, 9))
+        move_mouse(canvas, QPoint(90, 30))
+        QTest.mouseRelease(canvas, LEFT, NONE, QPoint(90, 30))
+        assert model(window) == before and not window.store.in_gesture
 
 
 def test_a_drag_while_the_animation_plays_moves_its_own_field_only(window: MainWindow) -> None:

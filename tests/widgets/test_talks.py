@@ -684,6 +684,15 @@ def test_shift_f5_in_the_speakers_window_presents_from_the_first_step(window: Ma
 
 
 @pytest.mark.undrawn
+def test_the_focus_in_the_speakers_notes_is_seen(window: MainWindow) -> None:
+    speaker = speaker_of(window)
+    activate(speaker)
+    speaker.notes.setFocus()
+    focused = speaker.notes.grab().toImage()
+    speaker.next.setFocus()
+    assert speaker.notes.grab().toImage() != focused
+
+
 def test_enlarged_notes_stay_enlarged(window: MainWindow, tmp_path: Path) -> None:
     speaker, settings = speaker_of(window), window.settings
     before = settings.notes_px

@@ -6,6 +6,7 @@ tooltips: a plane's name means the plane, not everything that depends on it.
 """
 
 import re
+import unicodedata
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
@@ -35,7 +36,9 @@ def find(text: str, parts: Mapping[QWidget, ControlTexts]) -> set[QWidget]:
 
 
 def _words(text: str) -> list[str]:
-    return re.findall(r"[^\W_]+", text.casefold())
+    """Return the words of a text without accents, which many do not type."""
+    letters = unicodedata.normalize("NFD", text.casefold().replace("đ", "d"))
+    return re.findall(r"[^\W_]+", re.sub("[\u0300-\u036f]", "", letters))
 
 
 def _has(text: str, asked: Iterable[str]) -> bool:

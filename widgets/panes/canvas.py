@@ -420,6 +420,7 @@ class Hand(QObject):
             kinds.Leave: self._leave,
             kinds.Gesture: self._gesture,
             kinds.ToolTip: self._show_tip,
+            kinds.WindowDeactivate: self._lose,
         }
         canvas.installEventFilter(self)
         self._rest = QTimer(self, singleShot=True, interval=REST_MS)
@@ -498,9 +499,11 @@ class Hand(QObject):
     def _press(self, event: QtGui.QMouseEvent) -> bool:
         event.accept()
         self.at = None
+        is_left = event.button() == Qt.MouseButton.LeftButton
+        if is_left:
+            self._lose(event)  # a menu may have taken the last release
         if self._dragged_from is None:  # another button does not belong to a drag
             self._last = event.position()
-            is_left = event.button() == Qt.MouseButton.LeftButton
             self._pressed = event.position() if is_left else None
         return True
 
@@ -520,6 +523,14 @@ class Hand(QObject):
             self._pressed = None
             self.clicked.emit(middle)
         return True
+
+    def _lose(self, _event: QEvent) -> bool:
+        """End a drag: a dialog or another window takes the release of the button."""
+        is_dragged = self._dragged_from is not None
+        self._last = self._pressed = self._dragged_from = None
+        if is_dragged:
+            self.drag_ended.emit()
+        return False
 
     def _middle(self, position: QPointF) -> QPointF:
         """Return the middle of the pixel at a position, in device pixels."""

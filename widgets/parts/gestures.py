@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QMouseEvent
+from PySide6.QtGui import QFocusEvent, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QApplication, QSlider, QWidget
 
 if TYPE_CHECKING:
@@ -84,6 +84,14 @@ class HeldSlider(QSlider):
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         if not self.is_abandoned:
             super().mouseMoveEvent(event)
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        """End a drag: a dialog, a menu or another window takes the release of the button."""
+        super().focusOutEvent(event)
+        if event.reason() != Qt.FocusReason.OtherFocusReason:
+            self._escape.leave()
+            self.is_abandoned = False
+            self.setSliderDown(False)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         self._escape.leave()

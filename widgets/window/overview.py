@@ -61,6 +61,7 @@ class Overview(QtWidgets.QDialog):
                 grid.addWidget(widget, row, column)
         grid.setRowStretch(len(topics), 1)
         area = QtWidgets.QScrollArea(widgetResizable=True)
+        area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         area.setWidget(holder)
         area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         area.setMinimumWidth(holder.minimumSizeHint().width() + 30)

@@ -20,7 +20,7 @@ from app.lessons.text import in_line
 from app.model.refusal import Refusal
 from widgets.panes.canvas import release_context
 from widgets.parts import palette
-from widgets.parts.layouts import TOP, FittedWidget, in_column, in_row, push_button
+from widgets.parts.layouts import TOP, FittedWidget, FocusRing, in_column, in_row, push_button
 from widgets.parts.lesson_text import answer_of, set_text
 from widgets.parts.plain import PlainLabel, ReadText, set_tip
 from widgets.window.pictures import image_of
@@ -118,6 +118,7 @@ class SpeakerWindow(QWidget):
         self._title, self._next_title, self.message = wrapped
         self.notes = ReadText()
         self.notes.setAccessibleName(self.tr("Notes"))
+        FocusRing(self.notes)
         self.now, self.picture = _PictureLabel(self.tr("The slide")), _PictureLabel(self.tr("Next"))
         self.steps = QListWidget()
         self.steps.setAccessibleName(self.tr("Steps"))
