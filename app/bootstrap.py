@@ -245,11 +245,10 @@ def _plain(name: str) -> str:
 
 
 def data_folder() -> Path:
-    """The folder for an environment that cannot be beside the code."""
-    home = Path("/", os.path.expanduser("~"))  # which stays as it is for a user without a home
-    places = {"win32": home / "AppData" / "Local", "darwin": home / "Library/Application Support"}
+    """The folder for an environment that cannot be beside the code; a user may have no home."""
+    places = {"win32": "AppData/Local", "darwin": "Library/Application Support"}
     place = os.environ.get("LOCALAPPDATA" if sys.platform == "win32" else "XDG_DATA_HOME", "")
-    usual = places.get(sys.platform, home / ".local" / "share")
+    usual = Path("/", os.path.expanduser("~"), places.get(sys.platform, ".local/share"))
     return Path(place if os.path.isabs(place) else usual) / "frustum-lab"
 
 

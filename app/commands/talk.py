@@ -24,7 +24,8 @@ def run(arguments: Sequence[str]) -> int:
     """Draw every step of a talk, or write its handout; return 1 if something is wrong with it."""
     options, (name,) = Parser("talk").read(arguments)
     if not options.check and options.handout is None:
-        raise CliError("needs-handout", bootstrap.PROGRAM, name_of(Path(name)))
+        talk = bootstrap.command_line([name_of(Path(name))])
+        raise CliError("needs-handout", bootstrap.PROGRAM, talk)
     if options.handout is not None:
         if not options.handout.lower().endswith((".pdf", ".html")):
             raise CliError("--handout = {0!r}: must end in .pdf or .html.", options.handout)

@@ -1,6 +1,7 @@
 """The command ``talk``: every step drawn, what is wrong said with its line, and A4 pages."""
 
 import re
+import sys
 from collections import Counter
 from pathlib import Path
 from typing import Any
@@ -479,3 +480,9 @@ def test_a_handout_is_written_whole_or_not_at_all(qapp: Any, talk: Path, tmp_pat
 )
 def test_a_wrong_command_line_is_refused(talk: Path, arguments: tuple[str, ...], said: str) -> None:
     assert said in refused("talk", talk, *arguments)
+
+
+def test_the_command_that_opens_a_talk_can_be_pasted(tmp_path: Path) -> None:
+    path = tmp_path / "my talk.md"
+    typed = f'"{path}"' if sys.platform == "win32" else f"'{path}'"
+    assert f" {typed} opens the talk." in refused("talk", path)
