@@ -115,6 +115,10 @@ for _ in range(200):
         break
     QTest.qWait(10)
 monitors.set("upright", 800, 800, 1000, real=False)
+for _ in range(200):
+    if len(QApplication.screens()) == 2:
+        break
+    QTest.qWait(10)
 say("upright", QApplication.screens()[-1])
 print("the floating pane", laptop.geometry().contains(window.panes["image"].geometry()))
 window.store.mark_saved()
