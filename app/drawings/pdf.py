@@ -16,7 +16,7 @@ from app.drawings.vectors import Area, Disc, LineShape, PixelShape, Shape, TextS
 from app.lecture.typesetting import FONT, as_shipped, font_file, is_set_in_words, mathtext, piece_of
 
 _PT_PER_PX = 72.0 / DPI
-_LARGE = 1e3
+_LARGE_PT = 1e4  # FreeType's letters are at most 65 535 pixels high
 _WATCHED = 50  # shapes from one call of the watch to the next
 
 
@@ -206,9 +206,9 @@ def _raised(tex: str, font: Any) -> float:
     from matplotlib.mathtext import MathTextParser
 
     parser: Any = MathTextParser("path")
-    heights = []
-    for larger in (1.0, _LARGE):
+    size_pt, heights = font.get_size_in_points(), []
+    for em_pt in (size_pt, _LARGE_PT):
         size = font.copy()
-        size.set_size(larger * font.get_size_in_points())
-        heights.append(parser.parse(mathtext(tex), 72, size).glyphs[0][-1] / larger)
+        size.set_size(em_pt)
+        heights.append(parser.parse(mathtext(tex), 72, size).glyphs[0][-1] * size_pt / em_pt)
     return float(heights[0] - heights[1])

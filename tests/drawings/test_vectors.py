@@ -369,20 +369,21 @@ def test_a_halo_has_the_colour_of_a_tint_and_is_white_on_what_is_dark_and_in_a_h
     assert halos == ["#ffffff"] * 3 + ["#cce6ff", "#ffffff", "#ffffff"]
 
 
-def test_letters_and_words_of_a_pdf_stand_on_one_line() -> None:
+@pytest.mark.parametrize("em", [20.0, 4090.0])  # a quarter of `LARGEST_PX` is the largest
+def test_letters_and_words_of_a_pdf_stand_on_one_line(em: float) -> None:
     text = "near P' ="
     pieces = line_of(text).pieces
     written = vectors.LabelText(
-        text, pieces, (1.0,) * len(pieces), (0.0, 0.0), 0.0, 20.0, "#000000", "#ffffff", 1.0, False
+        text, pieces, (1.0,) * len(pieces), (0.0, 0.0), 0.0, em, "#000000", "#ffffff", 1.0, False
     )
-    drawn = b"".join(streams_of(pdf([TextShape(written, (10.0, 60.0), 20.0)], (100, 100), "t")))
+    drawn = b"".join(streams_of(pdf([TextShape(written, (10.0, 60.0), em)], (100, 100), "t")))
     number = rb"(-?[\d.]+)"
     lines = re.findall(number + rb" cm\nBT\n(.*?)ET", drawn, re.DOTALL)
     moves = [re.findall(number + b" " + number + rb" Td", part) for _, part in lines]
     ups = [[float(up) for _, up in each] for each in moves]
     assert len(lines) >= 3 and any(each[0] > 0.1 for each in ups), "as matplotlib raises them"
     heights = [float(line) + each[0] for (line, _), each in zip(lines, ups, strict=True)]
-    assert heights == pytest.approx([40.0 * 0.24] * len(heights), abs=0.01)
+    assert heights == pytest.approx([40.0 * 0.24] * len(heights), abs=max(0.01, 1e-4 * em))
     assert [up for each in ups for up in each[1:]] == [0.0], "a prime is high enough by itself"
 
 
