@@ -18,6 +18,7 @@ import re
 import warnings
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Any, Literal, TypeAlias
 
 import numpy as np
@@ -36,7 +37,7 @@ from app.drawings.describing import describe as described
 from app.drawings.style import LIGHT
 from app.model.infinity import homogeneous_rows
 from app.model.lenses import FreeMatrix, Frustum, Lens, Oblique, Orthographic, Perspective
-from app.model.limits import is_number
+from app.model.limits import real
 from app.model.pipeline import Stage, Trace, checked_points
 from app.model.projection import Array, Camera, Chain, Intrinsics, Projection, Space
 from app.model.refusal import REFUSALS, Refusal
@@ -70,6 +71,7 @@ Fit: TypeAlias = Literal["named", "frustum", "scene"]
 MOST_DOTS = 1_000_000  # most points of a cloud
 DOT_PT = 0.1, 72.0  # least and largest diameter of its dots, in points
 _HEX = re.compile("#[0-9a-fA-F]{6}").fullmatch
+_number = partial(real, "")  # `_read` raises a refusal with the field
 
 
 class ScriptFigure(drawn.Figure):
@@ -120,6 +122,7 @@ class ScriptFigure(drawn.Figure):
         """
         from app.drawings.film import sweep_film
 
+        _check_flags(show_value=show_value)
         sweep_film(self, path_of("path", path), sweeps, frames, fps, ease, loop, show_value)
 
 
@@ -277,9 +280,7 @@ def figure(
         raise Refusal("panes", panes, REFUSALS["some-panes"], ", ".join(PANES))
     column = isinstance(panes, str) and "/" in panes
     named = panes.split("/" if column else ",") if isinstance(panes, str) else list(panes)
-    for name, flag in (("crop", crop), ("transparent", transparent)):
-        if not isinstance(flag, bool):
-            raise Refusal(name, flag, REFUSALS["yes-or-no"])
+    _check_flags(crop=crop, transparent=transparent)
     beside: dict[str, Any] = {} if width is None else {"size": size, "crop": crop or None}
     alone: dict[str, Any] = {"colours": colours, "dot_size": dot_size} if cloud is None else {}
     for name, value in (beside | alone).items():
@@ -336,13 +337,18 @@ def _rgb(colours: Any, count: int) -> Colours:
     raise Refusal("colours", shown, REFUSALS["some-colours"], count)
 
 
+def _check_flags(**flags: object) -> None:
+    for name, flag in flags.items():
+        if not isinstance(flag, bool):
+            raise Refusal(name, flag, REFUSALS["yes-or-no"])
+
+
 def _document(of: Source) -> Document:
     if isinstance(of, Projection):
         return Document(projection=of)
     if not isinstance(of, Document):
-        raise Refusal(
-            "of", of, REFUSALS["a-source"], repr(of if isinstance(of, str) else "letter-f")
-        )
+        named = repr(of if isinstance(of, str) else "letter-f")
+        raise Refusal("of", of, REFUSALS["a-source"], named)
     return of
 
 
@@ -366,12 +372,6 @@ def _points(size: str | float | None, name: str = "text_size") -> float | None:
     no = Refusal(name, size, REFUSALS["a-text-size"])
     points: float | None = _read(size, parse_points, _number, no)
     return points
-
-
-def _number(value: float) -> float:
-    if not is_number(value):
-        raise TypeError(value)
-    return float(value)
 
 
 def _two_numbers(values: Sequence[float]) -> Size:

@@ -1,8 +1,10 @@
 """Scripts and notebooks: their page is true, and what they call is what the program computes."""
 
+import copy
 import json
 import math
 import os
+import pickle
 import re
 import sys
 from functools import cache
@@ -285,6 +287,41 @@ def test_what_cannot_be_is_refused_in_a_sentence() -> None:
     ):
         with pytest.raises(Refusal, match=re.escape(words)):
             refused()
+
+
+@pytest.mark.parametrize(
+    ("made", "words"),
+    [
+        (lambda no: api.Projection(lens=no), "lens = (1, 2, 3): must be of the type Lens."),
+        (lambda no: api.Projection(camera=no), "camera = (1, 2, 3): must be of the type Camera."),
+        (lambda no: api.Projection(placement=no), "placement = (1, 2, 3): must be of the type"),
+        (lambda no: api.Document(projection=no), "projection = (1, 2, 3): must be of the type"),
+        (lambda no: api.Document(view=no), "view = (1, 2, 3): must be of the type View."),
+        (lambda no: api.Document(quality=no), "quality = (1, 2, 3): must be of the type Quality."),
+        (lambda no: api.Document({no: 1}), "scene = {(1, 2, 3): ...}: must be the name of a scene"),
+        (lambda no: api.figure(PLAIN).film("f.gif", NEAR, show_value=no), "show_value = (1, 2, 3)"),
+        (lambda no: api.figure(PLAIN, width=10**400), "width = 1000"),
+        (lambda no: api.figure(PLAIN, text_size=10**400), "text_size = 1e400: must be a number"),
+    ],
+)
+def test_what_is_of_another_type_is_refused_where_it_is_given(made: Any, words: str) -> None:
+    with pytest.raises(Refusal, match=re.escape(words)):
+        made((1, 2, 3))
+
+
+@pytest.mark.parametrize("scene", ["letter-f", "focus"])
+@pytest.mark.parametrize("kind", ["perspective", "frustum", "orthographic", "oblique", "matrix"])
+def test_what_was_used_is_copied_and_goes_to_another_process(scene: str, kind: str) -> None:
+    """`multiprocessing` sends it as pickle does; what it has computed holds functions."""
+    document = api.load(scene, f"lens.kind={kind}", "view.compare=image.width=9|image.width=8")
+    before = [each.tolist() for each in api.matrices(document).values()]
+    for copied in (copy.copy(document), copy.deepcopy(document)):
+        assert copied == document and copied.view == document.view
+    again = pickle.loads(pickle.dumps(document))
+    assert again == document and again.settings == document.settings
+    assert [each.tolist() for each in api.matrices(again).values()] == before
+    with pytest.raises(TypeError):
+        again.settings["anything"] = 1
 
 
 def test_a_missing_mesh_is_named_where_nothing_can_be_drawn() -> None:

@@ -11,7 +11,7 @@ from types import MappingProxyType
 from typing import Any
 
 from app.model.chain import FiveTiles
-from app.model.limits import is_number
+from app.model.limits import Frozen, is_number
 from app.model.parameter import Parameter, Settings
 from app.model.projection import Camera, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
@@ -31,7 +31,7 @@ _ALONG = 1e-9  # sine of the angle between two camera axes that count as equal
 
 
 @dataclass(frozen=True)
-class Held:
+class Held(Frozen):
     """A state that does not follow the document; `settings` belong to the scene's phenomenon."""
 
     projection: Projection

@@ -17,7 +17,7 @@ from app.document.compare import Held
 from app.document.view import View
 from app.model.chain import FiveTiles, Tile
 from app.model.lenses import LENSES, FreeMatrix, kinds
-from app.model.limits import Cells, Vector
+from app.model.limits import Cells, Frozen, Vector, check_type
 from app.model.matrix_text import read_matrix
 from app.model.numerals import number, numbers
 from app.model.parameter import Settings
@@ -38,7 +38,7 @@ def is_mesh(scene: str) -> bool:
 
 
 @dataclass(frozen=True)
-class Document:
+class Document(Frozen):
     """The content of a document file.
 
     Raises a `Refusal` if a value is not valid, the scene cannot have this mesh or these settings,
@@ -65,6 +65,8 @@ class Document:
     def __post_init__(self) -> None:
         if not isinstance(self.scene, str) or not self.scene or "\0" in self.scene:
             raise Refusal.in_document(REFUSALS["scene-name"], field="scene", value=self.scene)
+        for name, kind in (("projection", Projection), ("view", View), ("quality", Quality)):
+            check_type(name, getattr(self, name), kind)
         phenomenon = PHENOMENA.get(self.scene)
         settings = phenomenon.checked(self.settings) if phenomenon else MappingProxyType({})
         object.__setattr__(self, "settings", settings)

@@ -3,6 +3,8 @@
 import math
 import numbers
 from collections.abc import Collection
+from dataclasses import fields
+from types import MappingProxyType
 from typing import Any, Literal, TypeAlias, TypeGuard
 
 import numpy as np
@@ -73,6 +75,19 @@ def keep_checked(frozen: object, **values: object) -> None:
     """Store checked values in a frozen dataclass during its construction."""
     for name, value in values.items():
         object.__setattr__(frozen, name, value)
+
+
+class Frozen:
+    """A frozen dataclass that is copied and pickled by its fields, without what it computed."""
+
+    def __reduce__(self: Any) -> tuple[Any, ...]:
+        own = [getattr(self, each.name) for each in fields(self)]
+        return type(self), tuple(dict(v) if isinstance(v, MappingProxyType) else v for v in own)
+
+
+def check_type(field: str, value: object, kind: type) -> None:
+    if not isinstance(value, kind):
+        raise Refusal(field, value, REFUSALS["of-type"], kind.__name__)
 
 
 def is_number(value: object) -> TypeGuard[float]:

@@ -23,7 +23,9 @@ from app.model.limits import (
     LARGEST_INVERSE,
     Array,
     DepthRange,
+    Frozen,
     check_name,
+    check_type,
     is_number,
     keep_checked,
     read_only,
@@ -109,7 +111,7 @@ def _product(name: str, factors: Sequence[tuple[str, Rationals]], note: str = ""
 
 
 @dataclass(frozen=True)
-class Pipeline:
+class Pipeline(Frozen):
     """Everything that a picture depends on, and the matrices of its steps.
 
     Raises a `Refusal` for an image side outside 1..`LARGEST_IMAGE_PX` or an unknown depth range.
@@ -132,6 +134,8 @@ class Pipeline:
             if not is_number(side) or not 1 <= side <= LARGEST_IMAGE_PX or side != int(side):
                 raise Refusal(name, side, REFUSALS["whole-pixels"], LARGEST_IMAGE_PX)
         check_name("depth", self.depth, DEPTH_RANGES)
+        for name, kind in (("camera", Camera), ("lens", Lens), ("placement", Chain)):
+            check_type(name, getattr(self, name), kind)
         keep_checked(self, image_size=(int(size[0]), int(size[1])))
         self.lens.check_image(Fraction(*self.image_size))
 

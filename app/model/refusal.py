@@ -209,7 +209,7 @@ def _as_written(value: object) -> str:
         text = "[" + ", ".join(map(_as_written, value[:_LONGEST_WRITTEN])) + "]"
     elif isinstance(value, dict):
         keys = list(value)[:_LONGEST_WRITTEN]
-        text = "{" + ", ".join(f"{shown_name(key)}: ..." for key in keys) + "}"
+        text = "{" + ", ".join(f"{shown_name(str(key))}: ..." for key in keys) + "}"
     elif isinstance(value, str):
         text = repr(type(value)(value[: _LONGEST_WRITTEN + 1]))
     else:

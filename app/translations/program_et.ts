@@ -8158,6 +8158,10 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>peab olema väiksem kui ülemine, mis on {0}</translation>
     </message>
     <message>
+        <source>must be of the type {0}</source>
+        <translation>peab olema tüüpi {0}</translation>
+    </message>
+    <message>
         <source>must be one line of at most {0} characters</source>
         <translation>peab olema üks rida, milles on ülimalt {0} märki</translation>
     </message>

@@ -8174,6 +8174,10 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>mora biti manje od gornjeg ruba, koji je {0}</translation>
     </message>
     <message>
+        <source>must be of the type {0}</source>
+        <translation>mora biti tipa {0}</translation>
+    </message>
+    <message>
         <source>must be one line of at most {0} characters</source>
         <translation>mora biti jedan redak od najviše {0} znakova</translation>
     </message>

@@ -8174,6 +8174,10 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>мора да буде мање од горње границе, која је {0}</translation>
     </message>
     <message>
+        <source>must be of the type {0}</source>
+        <translation>мора да буде типа {0}</translation>
+    </message>
+    <message>
         <source>must be one line of at most {0} characters</source>
         <translation>мора да буде један ред; највећи број знакова је {0}</translation>
     </message>

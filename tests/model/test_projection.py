@@ -1240,6 +1240,7 @@ REFUSED: list[tuple[Callable[[], object], str]] = [
      "height = inf: must be a whole number of pixels from 1 to 16384."),
     (partial(Projection, depth="vulkan"),
      "depth = 'vulkan': must be one of opengl, direct3d, reversed."),
+    (partial(Projection, placement="spin"), "placement = 'spin': must be of the type Chain."),
     (lambda: Projection().with_lens("fisheye"),
      f"kind = 'fisheye': must be one of {', '.join(kinds())}."),
     (lambda: Projection(DISTANT, Perspective(45, 1, INF)).with_lens("orthographic"),

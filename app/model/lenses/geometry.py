@@ -14,13 +14,13 @@ from typing import Any, ClassVar
 import numpy as np
 
 from app.model.lenses.answers import ExactWindow, Window
-from app.model.limits import Array
+from app.model.limits import Array, Frozen
 from app.model.refusal import REFUSALS, Refusal
 
 LENSES: dict[str, Any] = {}  # lenses with fields, by kind; `app.model.lenses` fills in this table
 
 
-class Geometry:
+class Geometry(Frozen):
     """What follows from near, far, the window, and whether the projectors meet."""
 
     kind: ClassVar[str]  # the name of the lens in a document
