@@ -114,6 +114,7 @@ def as_shipped() -> Iterator[None]:
     from matplotlib import rc_context, rcParams, rcParamsDefault
 
     with rc_context():
+        # `dict`, because rcParams checks each value anew, and loads a backend that is asked for.
         dict.update(rcParams, {**rcParamsDefault, "backend": dict.get(rcParams, "backend")})
         yield
 

@@ -270,14 +270,14 @@ def checked_intrinsics(given: Any, image_size: tuple[int, int]) -> Intrinsics:
 
 def rotation_from_vector(vector: Sequence[float]) -> Array:
     """Return the rotation about a vector by its length in radians, (3, 3): OpenCV's Rodrigues."""
-    angle = math.hypot(*vector)
+    angle = math.hypot(*(limits.finite("rvec", part) for part in vector))
     half = math.sin(angle / 2.0) / angle if angle > 0.0 else 0.5
     return rotation_from_quaternion([math.cos(angle / 2.0), *(half * part for part in vector)])
 
 
 def rotation_from_quaternion(wxyz: Sequence[float]) -> Array:
     """Return the rotation of a quaternion of any length but 0, Hamilton's convention, (3, 3)."""
-    length = math.hypot(*wxyz)
+    length = math.hypot(*(limits.finite("quaternion", part) for part in wxyz))
     if length == 0.0:
         raise Refusal("quaternion", tuple(wxyz), REFUSALS["not-zero"])
     w, x, y, z = (part / length for part in wxyz)

@@ -393,6 +393,8 @@ def test_a_pose_that_is_too_large_is_no_rotation_and_no_warning() -> None:
     text = "K: [500, 0, 320, 0, 500, 240, 0, 0, 1]\nt: [0, 0, 5]\n"
     huge = f"{text}R: [1e308, 0, 0, 0, 1e308, 0, 0, 0, 1e308]\n"
     assert "must be a rotation" in refusal("huge.yml", huge)
+    long = f"{text}rvec: [1.5e308, 1.5e308, 1.5e308]\n"  # its length is no float64
+    assert "rvec = 1.5e+308: must be at most 1e+100." in refusal("long.yml", long)
     rows = [[1e200, 0, 0, 0], [0, 1e200, 0, 0], [0, 0, 1e200, 3]]
     assert "must be a rotation" in refusal("transforms.json", nerf({"transform_matrix": rows}))
 
@@ -485,6 +487,8 @@ def test_the_case_of_a_colmap_camera_alone() -> None:
         ("images.txt#1", "", IMAGES, "images.txt: line 5 has a CAMERA_ID that is not"),
         ("images.txt#1", CAMERAS, "1 0 0 0 0 1 2 3 1 a.png",
          "quaternion = [0, 0, 0, 0]: must not be the zero vector."),
+        ("images.txt#1", CAMERAS, "1 1.5e308 1.5e308 1.5e308 1.5e308 1 2 3 1 a.png",
+         "quaternion = 1.5e+308: must be at most 1e+100."),
         ("images.txt", CAMERAS, "1 1 0 0 0 0 0 1e999 1 a.png",
           "line 1 = '1 0 0 0 0 0 1e999': must be 7 finite numbers."),
         ("cameras.txt", "hello\n", "", "cameras.txt is neither a document (.json)"),

@@ -14,6 +14,7 @@ from app.lessons.blocks.matrix import MatrixQuestion
 from app.lessons.blocks.order import OrderQuestion
 from app.lessons.blocks.question import CHECKS, RIGHT, MarkedQuestion, Question, Reply, Value
 from app.lessons.lines import Body, refused
+from app.lessons.marking import TypedNumber
 from app.model.formula import Formula
 from app.model.refusal import REFUSALS, Refusal
 
@@ -83,7 +84,7 @@ class Answer(MarkedQuestion):
         number = marking.read(typed, self.unit, value)
         if self.counts and number.value.denominator > 1:
             raise Refusal("answer", typed, REFUSALS["a-count"])
-        is_value = (lambda typed, v: typed.value == Fraction(v)) if self.counts else marking.equals
+        is_value = _is_count if self.counts else marking.equals
         if is_value(number, value):
             return Verdict(True, says=self.why)
         wrong = self.mistaken(here, [number], is_value)
@@ -101,3 +102,7 @@ class Answer(MarkedQuestion):
 
     def with_answer(self, answer: str, *, others: bool = True) -> str:
         return f"{self.text}  \n**{answer}**{RIGHT}" if answer else self.text
+
+
+def _is_count(typed: TypedNumber, value: float) -> bool:
+    return typed.value == Fraction(value)
